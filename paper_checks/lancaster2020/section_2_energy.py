@@ -212,6 +212,7 @@ def derivative_of_slow_energy(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:8", kind=Kind.IDENTITY, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lancaster-literal-average",
     shortfall=Shortfall.CONDITION,
     title="The equation for the amplitude", latex=r"kA\dot{A} = f_{\alpha}(\dot{x})\dot{x}",
     corrected_latex=r"kA\dot{A}\,[1 - \cos(2\omega_0 t)] \simeq f_{\alpha}(\dot{x})\dot{x} \text{ for } x ="

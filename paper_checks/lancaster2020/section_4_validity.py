@@ -130,6 +130,7 @@ EXPONENTS_ABOVE_ONE = tuple(map(sympy.Rational, ("6/5", "3/2", "2", "3", "5")))
 
 @statement(
     id="lancaster2020:claim.valid-for-any-b", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
+    derivation="creep-arrival",
     shortfall=Shortfall.RANGE,
     extent="sampled: 10 points",
     title="When (13) becomes valid",
@@ -210,6 +211,7 @@ def _turning_point(exponent: str, epsilon: int, count: int) -> tuple[str, str]:
 
 @statement(
     id="lancaster2020:claim.corollary", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="no-overdamping",
     shortfall=Shortfall.CONSEQUENCE, title="That there is no overdamping is a corollary of the validity of (13)",
     latex=r"\text{An interesting corollary to this statement is that critically damped or overdamped behavior does not}"
     r"\ \text{occur}",

@@ -49,6 +49,7 @@ QUADRATIC = 4 * b2 * omega0 * k / (3 * m)
 
 @statement(
     id="lancaster2020:18", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    derivation="two-laws-average",
     title="The amplitude equation for two damping terms",
     latex=r"kA\dot{A} = -b\dot{x}^2|\dot{x}|^{\alpha-1} - b'\dot{x}^2|\dot{x}|^{\alpha'-1}",
     printed=-b * v**2 * v ** (alpha - 1) - b2 * v**2 * v ** (beta - 1),
@@ -64,6 +65,7 @@ def two_terms(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.velocity-sign", kind=Kind.APPROXIMATION, verdict=Printed.MISPRINT,
+    derivation="lancaster-literal-average",
     evidence=Evidence.PROVED, order="1", title="The velocity used for (19)",
     latex=r"\dot{x}(t) \simeq \omega_0 A\sin(\omega_0 t)",
     corrected_latex=r"\dot{x}(t) \simeq -\omega_0 A\sin(\omega_0 t)",
@@ -78,6 +80,7 @@ def velocity_sign(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:19", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.PROVED, order="1",
+    derivation="two-laws-average",
     title="The same with the slow velocity",
     latex=r"kA\dot{A} \simeq -bA^{\alpha+1}\omega_0^{\alpha+1}|\sin^{\alpha+1}(\omega_0 t)| -"
     r" b'A^{\alpha'+1}\omega_0^{\alpha'+1}|\sin^{\alpha'+1}(\omega_0 t)|",

@@ -123,6 +123,7 @@ def averaged_motion(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:49", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    derivation="lelas-friction-exact",
     title="The exact motion with friction",
     latex=r"x_{ex}(t) = \left(x_0 - (2n-1)\frac{\mu mg}{k}\right)\cos(\omega_0t) - (-1)^n\frac{\mu mg}{k}",
     printed=(x0 - (2 * number - 1) * offset, -side * offset), near_miss=(x0 - (2 * number - 1) * offset, side * offset),
@@ -142,6 +143,7 @@ def exact_motion(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.range-of-49", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-friction-exact",
     shortfall=Shortfall.RANGE,
     title="The range of n in (49)", latex=r"n \ge 1 \text{ is an integer}", printed=sympy.oo, corrected=COUNT,
     near_miss=sympy.floor((1 / eps - 1) / 2),
@@ -167,6 +169,7 @@ ONE_LINE = (1 - (2 * SWING - 1) * eps) * sympy.cos(sympy.Min(tau, COUNT * sympy.
 
 @statement(
     id="lelas2024:claim.no-closed-form", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.MEASURED,
+    derivation="lelas-friction-exact",
     shortfall=Shortfall.CONDITION,
     extent="sampled: 54 points",
     title="The exact motion cannot be put into a closed form valid for all times", printed=None, corrected=ONE_LINE,
@@ -285,6 +288,7 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 )
 @statement(
     id="lelas2024:value.tau-exact-b", premises=(1, 2),
+    derivation="lelas-friction-exact",
     kind=Kind.NUMBER, verdict=Printed.MISPRINT, evidence=Evidence.CERTIFIED, digits=3,
     title="The exact stop time for mu = 0.03", latex=r"\tau_{ex} = 4.93\,\mathrm{s}",
     corrected_latex=r"\tau_{ex} = 4.92\,\mathrm{s}", printed=("4.93", 7 * sympy.pi / w0, PANELS[1]),

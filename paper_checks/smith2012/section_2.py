@@ -185,6 +185,7 @@ SPIRAL_CLOCK = omega * t - atan(omega * x / P)
 
 @statement(
     id="smith2012:32", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    derivation="smith-viscous",
     title="The time-independent constant of the viscously damped oscillator",
     latex=r"S = \frac{1}{2}m[(v + \gamma x)^2 + \omega^2x^2]\exp\left[\frac{2\gamma}{\omega}\tan^{-1}\left("
     r"\frac{\omega x}{v + \gamma x}\right)\right]",
@@ -196,6 +197,7 @@ SPIRAL_CLOCK = omega * t - atan(omega * x / P)
 )
 @statement(
     id="smith2012:33", kind=Kind.IDENTITY, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    derivation="smith-viscous",
     title="The time-dependent constant",
     latex=r"T(x, v; t) = \omega t - \tan^{-1}\left(\frac{\omega x}{v + \gamma x}\right)",
     printed=(SPIRAL_CLOCK, DAMPED), near_miss=(omega * t - atan(omega * x / (v - gamma * x)), DAMPED),
@@ -204,6 +206,7 @@ SPIRAL_CLOCK = omega * t - atan(omega * x / P)
 )
 @statement(
     id="smith2012:34", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-viscous",
     title="The damped frequency", latex=r"\omega = \sqrt{\omega_0^2 + \gamma^2}",
     corrected_latex=r"\omega = \sqrt{\omega_0^2 - \gamma^2}", printed=(SPIRAL_CLOCK, omega0**2 + gamma**2),
     corrected=(SPIRAL_CLOCK, DAMPED), near_miss=(SPIRAL_CLOCK, omega0**2 - gamma**2 / 4),

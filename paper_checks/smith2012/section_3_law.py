@@ -287,6 +287,7 @@ def dimensionless_constants(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="smith2012:claim.not-elementary", kind=Kind.CLAIM, verdict=Printed.OPEN, evidence=Evidence.NONE,
+    derivation="smith-not-elementary",
     title="The equation of motion cannot be solved in terms of elementary functions",
     latex=r"\text{this one is problematic because it cannot be solved in terms of elementary functions}",
     printed=None, near_miss=sympy.cos(TAU), conditions="x(t) on a half-cycle, from general initial values",

@@ -93,6 +93,7 @@ g0, p_root, r_root = sympy.symbols("g_0 p r", positive=True)
 
 @statement(
     id="smith2012:claim.iterations", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="smith-turning-points",
     shortfall=Shortfall.CONDITION, title="The turning point is found by iteratively solving (43), and later (51)",
     latex=r"\text{The turning point at the end of this half-cycle is found by iteratively solving (43)}",
     corrected_latex=r"u \mapsto \frac{e^{-2u_0}(2u_0+1)e^{2u} - 1}{2} \text{ converges; } u \mapsto u_0 -"
@@ -225,6 +226,7 @@ def discontinuity(patched: int) -> Outcome:
 
 @statement(
     id="smith2012:48", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-matching",
     title="The value of S^+ after the first turning point",
     latex=r"\hat{S}^{+} = -e^{2u_1}\left(\frac{u_1}{2} - \frac{1}{4}\right)",
     corrected_latex=r"\hat{S}^{+} = e^{2u_1}\left(\frac{u_1}{2} - \frac{1}{4}\right)",
@@ -240,6 +242,7 @@ def constant_after_turning(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:49", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-matching",
     title="The first integration constant",
     latex=r"\hat{S}_1 = -e^{2u_1}\left(\frac{u_1}{2} - \frac{1}{4}\right) - e^{-2u_0}\left(\frac{u_0}{2}"
     r" - \frac{1}{4}\right)",
@@ -301,6 +304,7 @@ def second_turning_point(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:claim.second-cycle", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
+    derivation="smith-matching",
     shortfall=Shortfall.CONDITION,
     paraphrase=True, title="u_2 fed back into (42) determines S for the second cycle",
     latex=r"\hat{S} = -e^{-2u_2}\left(\frac{u_2}{2} + \frac{1}{4}\right) \text{ for the second cycle}",

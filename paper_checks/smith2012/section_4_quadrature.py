@@ -57,6 +57,7 @@ def velocity_squared(energy: sympy.Expr = E) -> sympy.Expr:
 
 @statement(
     id="smith2012:54", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-quadrature",
     title="The quadrature",
     latex=r"\int dt = \int \frac{dx}{\sqrt{2e^{2\gamma x}E_n + \frac{\omega^2}{2\gamma}\left(x +"
     r" \frac{1}{2\gamma}\right)}}",
@@ -74,6 +75,7 @@ def quadrature(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:claim.not-in-tables", kind=Kind.CLAIM, verdict=Printed.OPEN, evidence=Evidence.NONE,
+    derivation="smith-not-elementary",
     title="The integral (54) is not found in standard tables",
     latex=r"\text{Eq. (54) is not found in standard tables of integrals}",
     printed=1 / sqrt(2 * E * exp(2 * x) + x + HALF), near_miss=1 / sqrt(x + HALF),
@@ -89,6 +91,7 @@ def not_in_tables(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:55", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-quadrature",
     title="The duration of the half-cycle",
     latex=r"\frac{\tau}{2} = \int_{x_{\min}}^{x_{\max}} \frac{dx}{\sqrt{2e^{2\gamma x}E_n + \frac{\omega^2}{2\gamma}"
     r"\left(x + \frac{1}{2\gamma}\right)}}",

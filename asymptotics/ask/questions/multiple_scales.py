@@ -22,6 +22,7 @@ from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.laws import TERMS_IN_UNITS, TermsInUnits, law_options
 from asymptotics.ask.question import question
 from asymptotics.errors import InputError
+from asymptotics.expansions.multiple_scales.by_sympy import Ansatz, ansatz
 from asymptotics.expansions.multiple_scales.orders import Order
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.gauges import GAUGES, TURNING_POINT
@@ -43,6 +44,15 @@ class Derived:
     start: Mapping[str, sympy.Expr] | None = None
     map: Mapping[str, sympy.Expr] | None = None
     waves: Mapping[str, str] | None = None
+    by_sympy: Ansatz | None = None
+
+    @property
+    def differences(self) -> tuple[str, ...]:
+        """Where SymPy's own expansion differs from that of the rings: nowhere, or the terms."""
+        if self.by_sympy is None:
+            return ()
+        solutions = tuple(one.solution.rhs for one in self.scales.orders if one.solution is not None)
+        return self.by_sympy.differences(solutions, self.scales.rates)
 
     @property
     def rates(self) -> dict[str, sympy.Expr]:
@@ -84,6 +94,8 @@ def _data(found: Derived, request: Request) -> dict[str, Any]:
         data["latex"] = found.latex()
     data |= {} if found.start is None else {"start": {name: str(e) for name, e in found.start.items()}}
     data |= {} if found.map is None else {"map": {name: str(e) for name, e in found.map.items()}}
+    if found.by_sympy is not None:
+        data |= {"engine": "sympy", "equal": not found.differences, "differences": list(found.differences)}
     return data | ({} if found.waves is None else {"phase": str(request["phase"]), "waves": dict(found.waves)})
 
 
@@ -103,7 +115,13 @@ def _text(found: Derived, request: Request) -> str:
         lines += [f"  x_{n} = {value}" for n, value in found.waves.items()]
     lines += [f"{letter} = {value}" for letter, value in found.strengths.items()]
     lines += ["X_n: on 0 < psi < pi, and X(a, psi + pi) = -X(a, psi)"] if scales.gauge == TURNING_POINT else []
+    lines.append("expanded by rings of exact rationals" + ("" if found.by_sympy is None else _said(found)))
     return "\n".join([*lines, f"gauge: {scales.gauge}"])
+
+
+def _said(found: Derived) -> str:
+    differ = "; ".join(found.differences)
+    return f"; by SymPy alone: they differ in {differ}" if differ else ", and by SymPy alone: equal term by term"
 
 
 def _typed(request: Request) -> None:
@@ -122,6 +140,7 @@ _FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to 
         data=_data,
         text=_text,
         as_latex=lambda found, _: found.latex(),
+        failed=lambda found, _: bool(found.differences),
         typed=_typed,
         lacks=dict.fromkeys(("csv", "plot", "points"), _FORMULAS),
     ),
@@ -135,6 +154,7 @@ def derived(
     map: Annotated[bool, FLAG] = False,  # noqa: A002 (the word of the command)
     start: Annotated[bool, FLAG] = False,
     phase: Annotated[Number | None, REAL.called(letter="PSI")] = None,
+    engine: Annotated[str, choice("rings", "sympy", letter="ENGINE")] = "rings",
     digits: Annotated[int, digits(MAX_DIGITS)] = 30,
     max_seconds: Annotated[Number, SECONDS] = 60,
 ) -> Derived:
@@ -178,6 +198,8 @@ def derived(
         a(0), psi(0) of any start, in motion too
     phase
         the value of every X_n at this phase (rad), certified
+    engine
+        what expands: rings of exact rationals, or SymPy alone beside them (odd exponents to order 6, 2 to order 4)
     digits
         significant digits, correctly rounded
     max_seconds
@@ -202,6 +224,7 @@ def derived(
         any_start(scales) if start else None,
         map_of_gauges(bare, order=order) if map and bare is not None else None,
         None if phase is None else _waves(given, scales, order, phase, digits),
+        _by_sympy(given, scales, order) if engine == "sympy" else None,
     )
 
 
@@ -210,6 +233,17 @@ def _scales(given: TermsInUnits, order: int, gauge: str | None) -> MultipleScale
     if isinstance(given.terms, str):
         return symbolic_multiple_scales(given.springs, order, gauge)
     return multiple_scales(Law.from_terms(given.terms.terms, given.terms.notes), order=order, gauge=gauge)
+
+
+def _by_sympy(given: TermsInUnits, scales: MultipleScales, order: int) -> Ansatz:
+    """The ansatz solved by SymPy alone; InputError for another law or gauge."""
+    terms = () if isinstance(given.terms, str) else given.terms.terms
+    if len(terms) != 1 or not terms[0].is_power_of_velocity or not terms[0].velocity.is_integer:
+        raise InputError("engine", "SymPy alone expands one power of the velocity", "an odd exponent, or 2")
+    found = ansatz(int(terms[0].velocity.rational), order)
+    if found.gauge != scales.gauge:
+        raise InputError("engine", f"its gauge is {found.gauge}", f"the gauge {found.gauge}")
+    return found
 
 
 def _waves(given: TermsInUnits, scales: MultipleScales, order: int, phase: Any, digits: int) -> dict[str, str]:

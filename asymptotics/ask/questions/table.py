@@ -74,10 +74,13 @@ def _show(request: Request) -> Callable[[Table], tuple[dict[str, Any], str]]:
     form, target = _form(request)
 
     def show(table: Table) -> tuple[dict[str, Any], str]:
+        validation = table.validate() if request.typed("validate") is not None else None
+        told = "" if validation is None else f"\n{validation}"
+        more = {} if validation is None else {"validation": validation.to_dict()}
         if target is None:
-            return table.to_dict(), _printed(table, form)
+            return table.to_dict() | more, _printed(table, form) + told
         write_atomically(target, _content(table, form), "--output")
-        return {**table.to_dict(), "output": str(target)}, f"written: {target}"
+        return {**table.to_dict(), "output": str(target)} | more, f"written: {target}{told}"
 
     return show
 
@@ -126,10 +129,12 @@ def _missing(table: Table, _: Request) -> tuple[int, str]:
         table="the table with its provenance (as --format csv --output FILE)",
         more=(
             Option("list", "", "what each table is: columns, units, routes, cost, options"),
+            Option("validate", "", "recomputed by mpmath alone, to 60 digits: which numbers are equal"),
             Option("format", "FORMAT", f"{', '.join(FORMATS)} (default: the first)", "output", words=FORMATS),
             Option("output", "FILE", "write it to a file, with its provenance", "output"),
         ),
         own_latex=True,
+        failed=lambda table, request: request.typed("validate") is not None and not table.validate().equal,
         instead=_list,
         show=_show,
         missing=_missing,
