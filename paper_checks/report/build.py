@@ -22,6 +22,7 @@ from paper_checks.data import record, source
 from paper_checks.mathml import to_mathml, whole
 from paper_checks.registry import FOLLOW_UPS, IDENTIFIERS, PAPERS, Entry, Shortfall
 from paper_checks.report import pages
+from paper_checks.report.certificates import certificate_files, certificates_of
 from paper_checks.report.difference import marked
 from paper_checks.report.engine import engine_data, regimes_picture, stokes_picture, validity_picture
 from paper_checks.report.font import font_face
@@ -75,7 +76,9 @@ def _contents(entries: list[Entry], progress: Progress) -> dict[str, bytes | str
     contents |= sheet_files(_template, data)
     made = _pages(data, {e.statement.id: e for e in entries})
     contents["style.css"] = (FOLDER / "style.css").read_text(encoding="utf-8") + font_face(made.values())
-    return contents | made | ({"benchmarks.svg": MEASURED.read_bytes()} if MEASURED.exists() else {})
+    return (
+        contents | made | certificate_files() | ({"benchmarks.svg": MEASURED.read_bytes()} if MEASURED.exists() else {})
+    )
 
 
 def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
@@ -113,6 +116,7 @@ def _shown(entry: Entry) -> dict[str, Any]:
         "source": path,
         "source_page": pages.source_name(path.partition(":")[0]) + "#L" + path.partition(":")[2],
         "section": pages.section_of(s),
+        "certificates": certificates_of(s.id),
     }
 
 

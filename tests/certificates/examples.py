@@ -4,8 +4,7 @@ import copy
 from fractions import Fraction
 from functools import cache
 
-from asymptotics.api.turning_points import turning_points
-
+from asymptotics import turning_points
 from asymptotics.certificates.of_results import of_states, of_turning_points
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion

@@ -8,8 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from asymptotics.api.turning_points import turning_points
 
+from asymptotics import turning_points
 from asymptotics.certificates.certificate import certificate
 from asymptotics.certificates.claims import turning_claim
 from asymptotics.certificates.of_results import of_states, of_turning_points

@@ -2,8 +2,7 @@
 
 from fractions import Fraction
 
-from asymptotics.api.turning_points import turning_points
-
+from asymptotics import turning_points
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.digits import ends

@@ -48,6 +48,16 @@ class Page(HTMLParser):
 CITED = ("https://doi.org/", "https://arxiv.org/abs/")  # to follow, not fetched
 
 
+def test_the_certificates_beside_the_report_are_proved_by_the_page_beside_them(report):
+    made = sorted(path.name for path in report.glob("certificate-*.json"))
+    assert len(made) == 2
+    for name in made:
+        command = [sys.executable, "-I", "check_certificate.py", name]
+        ran = subprocess.run(command, cwd=report, capture_output=True, text=True)
+        assert ran.stdout.startswith("accepted\n") and "turning point 5: x = " in ran.stdout
+    assert "certificate-quadratic.json" in (report / "smith2012.html").read_text()
+
+
 def test_every_page_is_well_formed_and_self_contained(report):
     pages = {path.name: Page() for path in report.glob("*.html")}
     for name, page in pages.items():

@@ -4,10 +4,10 @@ from contextlib import contextmanager
 from fractions import Fraction
 from math import lcm
 
-from asymptotics.api.turning_points import turning_points
 from hypothesis import assume, given, note, settings
 from hypothesis import strategies as st
 
+from asymptotics import turning_points
 from asymptotics.certificates.of_results import of_states, of_turning_points
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
