@@ -120,12 +120,12 @@ SECONDS = Kind(
 def whole(low: int, high: int, letter: str = "N") -> Kind:
     """An integer from ``low`` to ``high``."""
     schema = {"type": "integer", "minimum": low, "maximum": high}
-    return Kind(letter, lambda value, name: exact_integer(value, name, low, high), f", {low} to {high}", schema)
+    return Kind(letter, lambda value, name: exact_integer(value, name, low, high), f" ({low} to {high}", schema)
 
 
 def digits(high: int, default: str = "") -> Kind:
     """Significant digits; ``default``: what the help says of a default that is no number."""
-    return replace(whole(1, high, "D"), told=f" (1 to {high}", group="output", default=default)
+    return replace(whole(1, high, "D"), group="output", default=default)
 
 
 def choice(*words: str, letter: str = "NAME", of: str = "") -> Kind:

@@ -15,8 +15,8 @@ from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import Kind
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
-from asymptotics.motions.certify import time_of
 from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.numbers.policy import exact_number
 from asymptotics.present.drawn import Drawn
 
 OVERLAY = "with --plot: another law in the same picture, A:B or A:B+A:B; repeat it"
@@ -27,7 +27,16 @@ QUANTITIES = {
     "x0": ("X", "1", "the displacement at t = 0, in m beside SI units"),
     "v0": ("V", "0", "the velocity at t = 0, in m/s beside SI units"),
 }
-TIME = Kind("T", time_of)
+
+
+def _time(value: Any, name: str) -> ExactReal:
+    moment = exact_number(value, name)
+    if moment < 0:
+        raise InputError(name, f"{moment} is before the start, where the state is given", "a time >= 0 in seconds")
+    return moment
+
+
+TIME = Kind("T", _time)
 """A time >= 0, in s or without a unit."""
 
 

@@ -54,10 +54,11 @@ class Asked:
     def option(self) -> Option:
         """The one option of the shell that sets it."""
         kind, told = self.kind, self.help + self.kind.told
-        default = kind.default or ("" if self.default in (None, False, inspect.Parameter.empty, "") else self.default)
+        unsaid = self.default is None or self.default is False or self.default in (inspect.Parameter.empty, "")
+        default = kind.default or ("" if unsaid or kind.needed else self.default)
         if told.count("(") > told.count(")"):
             told += f"; default {default})" if default != "" else ")"
-        elif default != "" and not kind.needed:
+        elif default != "":
             told += f" (default {default})"
         name = kind.option or self.name.replace("_", "-")
         return Option(

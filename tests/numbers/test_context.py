@@ -187,6 +187,7 @@ FOLDERS = ("asymptotics", "derivations", "paper_checks", "benchmarks")
 DOOR = {"asymptotics/numbers/context.py", "asymptotics/numbers/decimal_context.py"}
 LOOKED_UP = {  # caches of what no precision enters: files, parsers, numbers of doubles
     "asymptotics/made_by.py", "asymptotics/cli/swept.py", "asymptotics/papers/lookup.py",
+    "asymptotics/papers/derived.py",
 }  # fmt: skip
 CACHES = {"cache", "lru_cache", "cached_property"}
 SETS = {"prec", "cap", "dps"}

@@ -117,7 +117,8 @@ INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.turning.quadratic_map",
     "asymptotics.turning.energy_primitive", "asymptotics.turning.routes", "asymptotics.turning.result",
     "asymptotics.turning.half_swing",
-    "asymptotics.limit_cycles", "asymptotics.bounds", "asymptotics.api.evaluated", "asymptotics.api.started",
+    "asymptotics.limit_cycles", "asymptotics.bounds", "asymptotics.api.evaluated", "asymptotics.api.envelope_order",
+    "asymptotics.api.envelope_table", "asymptotics.certificates", "asymptotics.api.started",
     "asymptotics.expansions.multiple_scales.rates", "asymptotics.curves",
     "asymptotics.ask",  # read by their kinds: tests/ask
 }  # fmt: skip

@@ -129,7 +129,7 @@ def _typed(request: Request) -> None:
         raise InputError("--law", "cannot be combined with --alpha symbolic", "one symbolic exponent, and springs")
 
 
-_ORDER = whole(1, MAX_ORDER).called(told=f", 1 to {MAX_ORDER}; to 12 unless exponents are integers")
+_ORDER = whole(1, MAX_ORDER).called(told=f" (1 to {MAX_ORDER}, to 12 unless exponents are integers")
 _FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to draw"
 
 
