@@ -10,7 +10,6 @@ r"""Rows of coefficients as the command line shows them: lines of text, lines of
 'series,k,value,exact,code\nL,1,0.50000,1/2,sha256:...\nL,3,-0.33333,-1/3,sha256:...\n'
 """
 
-import argparse
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -19,10 +18,7 @@ from asymptotics.expansions.normal_form.results import Coefficient, Row
 from asymptotics.expansions.normal_form.show import SHOWN_DIGITS, sum_latex
 from asymptotics.present.inputs import csv_text
 
-__all__ = [
-    "Coefficient", "deltas_latex", "local_strengths", "order_of", "row_text", "rows_csv", "rows_latex",
-    "asked_besides",
-]  # fmt: skip
+__all__ = ["Coefficient", "deltas_latex", "local_strengths", "order_of", "row_text", "rows_csv", "rows_latex"]
 
 
 def row_text(name: str, row: Row) -> list[str]:
@@ -76,8 +72,3 @@ def local_strengths(given: GivenTerms) -> list[tuple[str, str, str]]:
 def _power(weight: str) -> str:
     """A to a power, as it is written."""
     return {"0": "", "1": " A"}.get(weight, f" A^{weight}" if weight.isdigit() else f" A^({weight})")
-
-
-def asked_besides(options: argparse.Namespace, latex: str, written: list[str]) -> dict[str, Any]:
-    """What JSON says besides, where it was asked for: the LaTeX, the files."""
-    return ({"latex": latex} if options.latex else {}) | ({"files": written} if written else {})
