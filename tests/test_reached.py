@@ -22,11 +22,15 @@ def names_in(nodes: Iterable[ast.AST]) -> set[str]:
 
 
 def unreached(module: ast.Module, elsewhere: set[str]) -> set[str]:
-    """The public functions that are neither used in another file nor by anything in this one that is reached."""
+    """The public functions that are neither used in another file nor by anything in this one that is reached.
+
+    A question is a command: the shell reaches it.
+    """
     bodies = {n.name: n for n in module.body if isinstance(n, ast.FunctionDef | ast.ClassDef)}
     rest = [n for n in module.body if n not in bodies.values() and not isinstance(n, ast.Import | ast.ImportFrom)]
     reached: set[str] = set()
-    wanted = bodies.keys() & elsewhere.union(used(*rest))
+    commands = {name for name, n in bodies.items() if "question" in used(*n.decorator_list)}
+    wanted = bodies.keys() & elsewhere.union(used(*rest), commands)
     while wanted:
         reached |= wanted
         wanted = bodies.keys() & used(*(bodies[name] for name in wanted)) - reached
@@ -51,3 +55,8 @@ def test_every_public_function_is_reached():
 def test_a_function_that_only_itself_uses_is_not_reached():
     text = ast.parse("def f(): return g()\ndef g(): return h()\ndef h(): return h()\ndef lone(): return lone()")
     assert unreached(text, {"f"}) == {"lone"} and unreached(text, {"g"}) == {"f", "lone"}
+
+
+def test_a_question_is_reached_by_the_shell():
+    text = ast.parse("@question(table)\ndef asked(): return made()\ndef made(): pass\n@other\ndef lone(): pass")
+    assert unreached(text, set()) == {"lone"}
