@@ -39,7 +39,7 @@ WHOLE = {"identified": 12}
 QUICK = {
     "smith-rows": 200, "cubic-damping": 1, "cost-against-order": 16, "costs": 10, "turning-points": 300,
     "certified-orbits": 20, "integrators": 100, "certified-motion": 400, "hypergeometric": 300, "comparing": 10_000,
-    "multiple-scales": 1, "start-up": 1, "promises": 4, "fits": 200, "identified": 2,
+    "multiple-scales": 1, "start-up": 1, "promises": 4, "fits": 200, "identified": 2, "certificates": 2,
 }  # fmt: skip
 """Sizes of ``--quick``."""
 
