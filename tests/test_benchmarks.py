@@ -50,7 +50,7 @@ def test_the_report_names_the_machine(tmp_path):
 
 
 def test_text_and_bad_input(capsys):
-    assert main(["turning-points", "--size", "3"]) == 0
+    assert main(["turning-points", "--size", "3", "--no-peers"]) == 0
     assert "certified balls" in capsys.readouterr().out
     assert main(["no-such"]) == 2
     assert main(["smith-rows", "--size", "0"]) == 2

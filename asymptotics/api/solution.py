@@ -26,6 +26,7 @@ proved  |x - x_3| <= 0.000043 for every tau >= 0 (x_0 = 1, before rounding)
 >>> point.x, air.bound(7)                                   # the second is proved
 ('0.6004602446', '0.000015')
 >>> A, phi, x = air.functions()                             # NumPy: the strength is an argument where it is not given
+>>> import numpy as np
 >>> x(np.array([0.0, 7.0]), 0.1).round(10).tolist()
 [1.0, 0.6004602446]
 """

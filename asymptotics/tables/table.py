@@ -20,8 +20,10 @@ from typing import Any
 
 from asymptotics.errors import InputError
 from asymptotics.numbers.digits import spread
+from asymptotics.numbers.policy import Number
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
+from asymptotics.public import public
 from asymptotics.tables.cells import Formula
 from asymptotics.tables.validation import Validation, validate
 
@@ -68,7 +70,8 @@ class Table(Rows, Drawn):
             "provenance": self.origin,
         }
 
-    def validate(self, digits: int = 60) -> Validation:
+    @public
+    def validate(self, digits: int = 60, *, max_seconds: Number = 60) -> Validation:
         """The table recomputed by mpmath alone, beside ours; InputError where mpmath has no route of its own."""
         nearest = self.origin.get("inputs", {}).get("rounding", "nearest") == "nearest"
         return validate(self.name, self.columns, self.rows, digits, nearest=nearest)

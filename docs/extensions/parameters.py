@@ -92,6 +92,7 @@ MEANINGS = {
     "value": "what is read: a mapping exponent -> strength, or a law",
     "verdict": "holds, misprint, transcription, partly, refuted, open or definition; partly-condition,"
     " partly-consequence or partly-range",
+    "version": "stands for the code of one's own task; by default its code itself is the key",
     "w": "gamma v/omega, without a unit",
     "words": "words, or a number, that the statement has",
     "workers": "processes; by default one for each core, 1 computes in this process",

@@ -172,7 +172,7 @@ def _still_first_swing(a: sympy.Rational, time: sympy.Expr) -> bool:
         tau = closed_form_ball(time.subs(E, huge))
         lowest = 1 - tau * closed_form_ball(huge ** (-1 / a))
         amplitude_13 = closed_form_ball((1 + (a - 1) * mean(a) * huge) ** (-1 / (a - 1)))  # from tau = 1 on
-        return bool(lowest > arb("0.5") and tau > 1 and amplitude_13 < arb("0.01"))
+        return all((lowest > arb("0.5"), tau > 1, amplitude_13 < arb("0.01")))
 
 
 def _not_yet(a: sympy.Rational, time: sympy.Expr) -> Outcome:

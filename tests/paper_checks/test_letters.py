@@ -20,6 +20,7 @@ GIVEN = {  # letters that the statement itself gives a number: it is about that 
         (f"lelas2024:value.{name}-{panel}" for name in ("tau", "tau-tilde") for panel in "ab"),
         {"g", "mu", "omega_0", "x_0"},
     ),
+    "lelas2024:claim.general-forms": {"phi_0"},  # measured from rest, where it is 0; its derivative has the letter
     **dict.fromkeys((f"lelas2024:value.tau-exact-{panel}" for panel in "ab"), {"omega_0"}),
 }
 SLOW = ("lancaster2020:claim.valid-for-any-b", "smith2012:69")

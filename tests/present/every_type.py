@@ -47,6 +47,7 @@ noise = 1e-3 * np.random.default_rng(0).standard_normal(30)
 answer = asy.identify({"n": n, "x": (-1.0) ** n * 0.95**n + noise}, laws=["1", "2", "1+2"], bootstrap=False)
 """
 SAMPLES = {
+    "tables.validation.Validation": "asy.table('moments', alpha=1, digits=8).validate()",
     "api.large.SpringEnvelope": "asy.envelope(asy.Oscillator({2: '1/20'}, spring='pendulum', x0=3))",
     "api.motions.Events": "motion.events(3)",
     "api.motions.Motion": "motion",
