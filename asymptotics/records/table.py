@@ -21,6 +21,7 @@ from asymptotics.records.body import Unread
 from asymptotics.records.cells import MARKS
 from asymptotics.records.columns import KINDS, Choice, SeveralError, choose, quantity
 from asymptotics.records.main_axis import carrying
+from asymptotics.records.peaks import peaks_of_one_side
 from asymptotics.records.rows import RowPlaces
 from asymptotics.records.sources import How, Source, opened
 from asymptotics.records.units import GRAVITY, SECONDS, UNITS, seconds, standard, suffix, unit_of
@@ -81,7 +82,18 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     table = RecordTable(choice.kind, columns, "", rows, (choice.note, *given.notes))
     # In this order: a row that cannot be read is told with its text, a mark as it stands in the file, and units come
     # last.
-    return _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit, time)
+    found = _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit, time)
+    return _as_peaks(found, given.names[choice.places["x"]]) if kind is None and found.kind == "record" else found
+
+
+def _as_peaks(table: RecordTable, name: str) -> RecordTable:
+    """Peaks of one side as turning points; a sampled motion as it is."""
+    t, x = table.columns["t"], table.columns["x"]
+    n = peaks_of_one_side(name, t, x)
+    if n is None:
+        return table
+    said = f"{name!r}: {len(n)} peaks of one side, a period apart (n = 0, 2, 4, ...); --kind record overrules"
+    return replace(table, kind="turning-points", columns={"n": n, "x": x, "tau": t}, notes=(*table.notes, said))
 
 
 def _chosen(given: Source, kind: str | None, how: How) -> Choice:

@@ -13,17 +13,16 @@ from asymptotics.identification.forward.candidates import read_candidate as read
 from asymptotics.identification.identify import (
     _candidates,
     _in_range,
-    _in_time,
     _lengths,
     _measured,
     _memory,
     _omega,
     _untried,
 )
-from asymptotics.identification.judging.comparison import UNTRIED
+from asymptotics.identification.judging.laws import UNTRIED, Fitted, Judged
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.telling.result import RecordUnits
-from asymptotics.identification.telling.verdicts import Verdict
+from asymptotics.identification.telling.verdicts import undecided
 from asymptotics.records.units import GRAVITY
 
 
@@ -84,11 +83,11 @@ def test_the_best_of_the_pendulums_is_told(monkeypatch, by_criterion):
 
 
 def test_what_the_time_did_not_suffice_for_is_counted_and_named():
-    laws = [law("1"), law("2", reason=UNTRIED), law("1+2", reason=UNTRIED)]
-    assert _untried(laws) == ["the time was over before 2 of 3 laws were tried: 2; 1+2"] and _untried(laws[:1]) == []
-    verdict = Verdict("identified", "identified: 1")
-    assert _in_time(laws, verdict).text == "identified: 1 (the time was over: 2 of 3 laws are not tried)"
-    assert _in_time(laws[:1], verdict) is verdict
+    laws = [Judged.of(Fitted(read(name), None, why)) for name, why in (("1", ""), ("2", UNTRIED), ("1+2", UNTRIED))]
+    assert _untried(laws) == ["the time was over before 2 of 3 laws were judged: 2; 1+2"] and _untried(laws[:1]) == []
+    found = undecided(laws)
+    assert found is not None and found.kind == "undecided" and "2 of 3 laws were judged" in found.text
+    assert undecided(laws[:1]) is None
 
 
 def test_the_memory_of_residuals_is_told_of_consistent_laws_only(monkeypatch):

@@ -32,7 +32,7 @@ def strong_quadratic_with_spring():
     return moved(lambda x, v: 0.85 * v * abs(v) + 0.3 * x**3, 0.62, 7, 40, 2e-3)
 
 
-def stuck(rest=True):
+def stuck(rest=True, noise=2e-3):
     """Dry friction, exactly: half cosines about +-f, until the mass stays where |x| <= f; 18 samples a period."""
     f, x0, per_period = 0.044, 1.3, 18
     t, place, side, start, x = np.arange(170) / per_period, x0, 1.0, 0.0, []
@@ -40,7 +40,7 @@ def stuck(rest=True):
         while now - start >= 0.5 and abs(place) > f:
             place, side, start = 2 * side * f - place, -side, start + 0.5
         x.append(place if abs(place) <= f else side * f + (place - side * f) * np.cos(2 * np.pi * (now - start)))
-    x = np.array(x) + 2e-3 * np.random.default_rng(2).standard_normal(len(t))
+    x = np.array(x) + noise * np.random.default_rng(2).standard_normal(len(t))
     return (t, x) if rest else (t[:110], x[:110])
 
 
@@ -82,6 +82,10 @@ def test_friction_that_holds_the_mass_off_centre_is_found():
     assert answer.verdict.text.startswith("identified: 0,")
     assert answer.law("0").law.epsilon[0].contains(0.044)
     assert any("are not used" in note for note in answer.notes)
+    # A sensor of coarse steps shows a rest without any noise.
+    t, x = stuck(noise=0.0)
+    (seen,) = load({"t": t, "x": x})
+    assert "are not used" in seen.notes[-1] and seen.samples.t[-1] < 7.6
     # Near miss: a record that ends while it swings is used whole.
     t, x = stuck(rest=False)
     (seen,) = load({"t": t, "x": x})

@@ -29,8 +29,10 @@ def moving(t: Array, x: Array, period: float) -> slice:
     count = np.arange(1, len(x) + 1)
     scatter = np.cumsum(back**2) / count - (np.cumsum(back) / count) ** 2
     steps = np.cumsum(np.diff(back) ** 2)[:-1] / (2 * count[:-2])
-    # Where nothing changes at all there is no noise to compare with.
-    still = (scatter[2:] <= _SCATTER**2 * steps) & (steps > 0)
+    # A tail that does not change at all is one; a record that does not, or is noise throughout, is refused elsewhere.
+    still = scatter[2:] <= _SCATTER**2 * steps
+    if still[-1]:
+        return slice(None)
     # The longest tail without motion; of a few samples the noise is not known.
     last = int(np.flatnonzero(still)[-1]) + 3 if still.any() else 0
     if last < 12 or t[-1] - t[-last] < _PERIODS * period:

@@ -1,14 +1,16 @@
 """What an unseen spring could do, step by step: the parabola of the sum of squares, and the shifts of the estimates."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from asymptotics.identification.fitting.profile import Interval
+from asymptotics.identification.forward.candidates import read_candidate as read
 from asymptotics.identification.judging import amplitudes
 from asymptotics.identification.judging.amplitudes import ASSUMED_DRIFT, relieved, spring_bound, widened
+from asymptotics.identification.judging.laws import Fitted, Intervals, Judged
 from asymptotics.identification.measuring.observations import Observations
 
 
@@ -17,8 +19,12 @@ class Law:
     """What these steps ask of a fitted law."""
 
     fit: object
-    epsilon: tuple = field(default=())
     left: float | None = None
+
+
+def judged(fit, epsilon=()):
+    """A law with these intervals of its losses."""
+    return Judged(Fitted(read("1"), fit), Intervals(epsilon))
 
 
 def with_spring(monkeypatch, squares, strengths=lambda _: (0.0,)):
@@ -69,7 +75,7 @@ def test_where_one_spring_has_no_fit_nothing_is_relieved(monkeypatch, side):
 
 def test_intervals_grow_to_the_side_to_which_a_spring_moves_the_estimates(monkeypatch):
     with_spring(monkeypatch, lambda _: 1.0, lambda g: (0.1 + 0.04 * g, 0.2 - 0.02 * g, 0.3 + 0.08 * g * g))
-    law = Law(SimpleNamespace(), tuple(Interval(e - 0.01, e, e + 0.02) for e in (0.1, 0.2, 0.3)))
+    law = judged(SimpleNamespace(), tuple(Interval(e - 0.01, e, e + 0.02) for e in (0.1, 0.2, 0.3)))
     found = widened(law, 0.5).epsilon
     assert [e.estimate for e in found] == [0.1, 0.2, 0.3]
     lows, highs = ([e.low for e in found], [e.high for e in found])
@@ -78,12 +84,13 @@ def test_intervals_grow_to_the_side_to_which_a_spring_moves_the_estimates(monkey
 
 
 def test_one_spring_that_has_a_fit_widens_alone_and_none_nothing(monkeypatch):
-    law = Law(SimpleNamespace(), (Interval(0.09, 0.1, 0.11),))
+    law = judged(SimpleNamespace(), (Interval(0.09, 0.1, 0.11),))
     monkeypatch.setattr(amplitudes, "_with_spring", lambda _, g: (np.array([0.13]), 1.0) if g > 0 else None)
     assert [widened(law, 0.5).epsilon[0].low, widened(law, 0.5).epsilon[0].high] == pytest.approx([0.09, 0.14])
     monkeypatch.setattr(amplitudes, "_with_spring", lambda *_: None)
     assert widened(law, 0.5) is law
-    assert widened(Law(None, law.epsilon), 0.5).epsilon == law.epsilon and widened(Law(1), 0.5) == Law(1)
+    assert widened(judged(None, law.epsilon), 0.5).epsilon == law.epsilon
+    assert widened(judged(1), 0.5) == judged(1)
 
 
 def test_without_times_a_drift_is_assumed_and_said():

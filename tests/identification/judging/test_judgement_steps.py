@@ -18,6 +18,7 @@ from asymptotics.identification.judging.judgement import (
     rivals,
     worst,
 )
+from asymptotics.identification.judging.laws import Evidence
 
 SURE = Interval(0.04, 0.05, 0.06)
 
@@ -36,11 +37,11 @@ class Law:
     criterion: float = 0.0
     parameters: int = 1
     usable: bool = True
-    misfit: str = ""
-    against: Contradiction = Contradiction()
+    evidence: Evidence = Evidence()
     negative: tuple = ()
     inflation: float = 1.0
-    left: float = 1.0
+    untried: bool = False
+    fitted: object = field(default_factory=lambda: SimpleNamespace(left=1.0), compare=False)
     fit: object = field(default=None, compare=False)
 
     @property
@@ -53,7 +54,8 @@ class Law:
 
 
 def law(text, **more):
-    return Law(read(text), **more)
+    evidence = {name: more.pop(name) for name in ("misfit", "against", "outside") if name in more}
+    return Law(read(text), evidence=Evidence(**evidence), **more)
 
 
 @pytest.mark.parametrize(
@@ -113,7 +115,9 @@ def test_the_worst_contradiction_is_that_of_a_law_that_may_be(monkeypatch):
     monkeypatch.setattr(
         judgement, "against", lambda _, other: Contradiction(other.candidate, p=p[str(other.candidate)])
     )
-    others = [law("1"), law("2"), law("3", negative=("3",)), law("1+2")]
+    # Nor of one whose amplitudes lie outside the data.
+    others = [law("1"), law("2"), law("3", negative=("3",)), law("1+2"), law("0", outside="far outside")]
+    p["0"] = 1e-9
     assert str(worst(others[0], others).by) == "1+2" and str(worst(others[0], others, growing=True).by) == "3"
     assert worst(others[0], others[:1]) == Contradiction()
 

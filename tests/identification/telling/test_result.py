@@ -19,15 +19,18 @@ def law(text="1+s3", **more):
         "unexplained": SimpleNamespace(share=0.012), "reason": "", "epsilon": (Interval(0.04, 0.05, 0.07),),
         "springs": (Interval(0.1, 0.2, None),), "alpha": None, "criterion": -12.5, "excess": 0.25, "unneeded": ("s3",),
         "against": SimpleNamespace(p=0.125), "fit": SimpleNamespace(bic=-7.5, scales={"x": 1e-3, "t": 2e-3}),
-        "profiled": True, "negative": (), "held_out": 1.0625,
-    }  # fmt: skip
-    return SimpleNamespace(**(known | more))
+        "profiled": True, "negative": (), "held_out": 1.0625, "untried": False,
+    } | more  # fmt: skip
+    evidence = {name: known.pop(name) for name in ("unexplained", "against", "held_out")}
+    intervals = SimpleNamespace(profiled=known.pop("profiled"))
+    return SimpleNamespace(evidence=SimpleNamespace(**evidence), intervals=intervals, **known)
 
 
 def test_every_entry_of_the_json_of_a_law():
     """The contract of ``identify --json``: keys and numbers as texts."""
     assert LawAnswer(law()).to_dict() == {
-        "alphas": ["1"], "springs": ["3"], "verdict": "consistent", "grade": "consistent", "unexplained": "0.012",
+        "alphas": ["1"], "springs": ["3"], "pendulum": False, "verdict": "consistent", "grade": "consistent",
+        "unexplained": "0.012",
         "reason": None, "epsilon": [Interval(0.04, 0.05, 0.07).to_dict()],
         "spring_strengths": [Interval(0.1, 0.2, None).to_dict()], "alpha": None, "criterion": "-12.5",
         "criterion_difference": "0.25", "unneeded": ["s3"], "p_value": "0.125", "bic": "-7.5",
@@ -122,6 +125,12 @@ def test_the_laws_of_the_verdict_stand_first_then_the_better_ones():
         law("0+1", unneeded=(), criterion=4.0),
     ]  # fmt: skip
     assert [str(one.candidate) for one in sorted_laws(laws)] == ["1", "0+1", "2", "3", "1+2"]
+
+
+def test_physical_laws_stand_before_those_with_a_negative_loss_which_say_so():
+    laws = [law("0+2+3", unneeded=(), negative=("3",), criterion=0.0), law("1+2", unneeded=(), criterion=5.0)]
+    assert [str(one.candidate) for one in sorted_laws(laws)] == ["1+2", "0+2+3"]
+    assert LawAnswer(laws[0]).row()[1] == "consistent, unphysical" and LawAnswer(laws[1]).row()[1] == "consistent"
 
 
 def test_the_data_are_told_by_what_they_are():

@@ -28,9 +28,10 @@ def law(text, **more):
     known = {
         "candidate": read(text), "usable": True, "criterion": 0.0, "epsilon": (SURE,), "alpha": None, "negative": (),
         "misfit": "", "against": SimpleNamespace(p=1.0), "grade": "consistent", "unexplained": None,
-        "residuals": "a line", "parameters": 1, "fit": SimpleNamespace(scales={"x": 1.0}),
-    }  # fmt: skip
-    return SimpleNamespace(**(known | more))
+        "residuals": "a line", "parameters": 1, "fit": SimpleNamespace(scales={"x": 1.0}), "untried": False,
+    } | more  # fmt: skip
+    evidence = {name: known.pop(name) for name in ("misfit", "against", "unexplained", "residuals")}
+    return SimpleNamespace(evidence=SimpleNamespace(**evidence), **known)
 
 
 @pytest.fixture
@@ -107,7 +108,7 @@ def test_where_nothing_stands_it_is_said_what_is_near(judged):
     assert (
         kind == NONE and "the best is 0+1+2: a line; 2 is adequate to 3 % of the loss at amplitudes 0.1 to 0.9" in text
     )
-    assert verdict([best])[1].endswith("the best is 0+1+2: a line; 0+1+2 leaves 12 % of the loss open")
+    assert verdict([best])[1].endswith("the best is 0+1+2: a line; 0+1+2 misses 12 % of the loss")
     assert verdict([law("1")])[1].endswith("the best is 1: a line")
     support = law("1+2", negative=("2",))
     assert verdict([best, support])[1].startswith(
