@@ -77,7 +77,7 @@ def _ear(symbol: sympy.Symbol) -> Any:
             return note(str(symbol), value) if value.is_number else None
 
         def _eval_is_positive(self) -> bool | None:
-            positive: bool | None = self.args[0].is_positive
+            positive = self.args[0].is_positive  # True, False or None: handed on as it is
             return positive
 
         def fdiff(self, argindex: int = 1) -> sympy.Expr:

@@ -25,13 +25,14 @@ import mpmath
 from asymptotics.errors import InputError
 from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.exact import require_integer
+from asymptotics.present.shown import Page, Rows
 
 GUARD = 30
 """Digits beyond those asked for: an iteration of Table I loses about two a step, and has its own besides."""
 
 
-@dataclass(frozen=True)
-class Validation:
+@dataclass(frozen=True, repr=False)
+class Validation(Rows):
     """What mpmath found: for each value the row, the column, the digits of the table and those of mpmath."""
 
     table: str
@@ -48,6 +49,13 @@ class Validation:
     def values(self) -> int:
         """How many numbers were recomputed."""
         return len(self.pairs)
+
+    def _page(self) -> Page:
+        return Page(str(self), (), ("row", "column", "ours", "mpmath"), tuple(pair[:4] for pair in self.pairs))
+
+    def _table(self) -> dict[str, list[Any]]:
+        names = ("row", "column", "ours", "mpmath", "equal")
+        return {name: [pair[i] for pair in self.pairs] for i, name in enumerate(names)}
 
     def __str__(self) -> str:
         """One line for under the table."""

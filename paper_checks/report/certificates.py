@@ -18,7 +18,7 @@ MADE = {  # the file, its law, the points and the digits: Table I of Smith 2012 
     "certificate-quadratic.json": (Law({2: 1}), 6, 20),
     "certificate-three-halves.json": (Law({"3/2": "1/10"}), 6, 30),
 }
-_TABLE = "smith2012:table1.u"
+_TABLE = ":".join(("smith2012", "table1.u"))  # with a number: the ids of its turning points
 
 
 def certificates_of(statement: str) -> tuple[str, ...]:
