@@ -78,7 +78,7 @@ def _ear(symbol: sympy.Symbol) -> Any:
 
         def _eval_is_positive(self) -> bool | None:
             positive = self.args[0].is_positive  # True, False or None: handed on as it is
-            return positive
+            return positive  # noqa: RET504 (assigned, so that a walk sees that it stays three-valued)
 
         def fdiff(self, argindex: int = 1) -> sympy.Expr:
             return sympy.S.One
