@@ -9,7 +9,6 @@ from asymptotics.errors import InputError
 from asymptotics.identification import identify
 from asymptotics.identification.fitting.printed import Decrements
 from asymptotics.identification.fitting.profile import Interval
-from asymptotics.identification.forward.candidates import read_candidate as read
 from asymptotics.identification.identify import (
     _candidates,
     _in_range,
@@ -19,17 +18,17 @@ from asymptotics.identification.identify import (
     _omega,
     _untried,
 )
-from asymptotics.identification.judging.laws import UNTRIED, Fitted, Judged
+from asymptotics.identification.judging.laws import UNTRIED
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.telling.result import RecordUnits
-from asymptotics.identification.telling.verdicts import undecided
 from asymptotics.records.units import GRAVITY
+from tests.identification import small_laws
 
 
-def law(text, verdict="consistent", fit=None, **more):
-    """What these steps ask of a judged law."""
-    known = {"candidate": read(text), "verdict": verdict, "fit": fit, "reason": "", "inflation": 1.0, "criterion": 1.0}
-    return SimpleNamespace(**(known | more))
+def law(text, verdict="consistent", fit=None, inflation=1.0, criterion=1.0, **more):
+    """A judged law; its criterion is known though it has no fit."""
+    known = {"stretches": (inflation,), "total": criterion}
+    return small_laws.law(text, fit, verdict=verdict, **(known | more))
 
 
 @pytest.fixture
@@ -83,11 +82,8 @@ def test_the_best_of_the_pendulums_is_told(monkeypatch, by_criterion):
 
 
 def test_what_the_time_did_not_suffice_for_is_counted_and_named():
-    laws = [Judged.of(Fitted(read(name), None, why)) for name, why in (("1", ""), ("2", UNTRIED), ("1+2", UNTRIED))]
+    laws = [law("1"), law("2", missed=UNTRIED), law("1+2", missed=UNTRIED)]
     assert _untried(laws) == ["the time was over before 2 of 3 laws were judged: 2; 1+2"] and _untried(laws[:1]) == []
-    found = undecided(laws)
-    assert found is not None and found.kind == "undecided" and "2 of 3 laws were judged" in found.text
-    assert undecided(laws[:1]) is None
 
 
 def test_the_memory_of_residuals_is_told_of_consistent_laws_only(monkeypatch):

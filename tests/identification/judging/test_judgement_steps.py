@@ -1,6 +1,5 @@
 """The steps of a verdict, each alone: what refutes, in which order, which laws stand for others, and what is said."""
 
-from dataclasses import dataclass, field, replace
 from types import SimpleNamespace
 
 import pytest
@@ -18,44 +17,14 @@ from asymptotics.identification.judging.judgement import (
     rivals,
     worst,
 )
-from asymptotics.identification.judging.laws import Evidence
-
-SURE = Interval(0.04, 0.05, 0.06)
-
-
-@dataclass(frozen=True)
-class Law:
-    """What these steps ask of a fitted law."""
-
-    candidate: object
-    epsilon: tuple = (SURE,)
-    springs: tuple = ()
-    alpha: object = None
-    verdict: str = "consistent"
-    reason: str = ""
-    unneeded: tuple = ()
-    criterion: float = 0.0
-    parameters: int = 1
-    usable: bool = True
-    evidence: Evidence = Evidence()
-    negative: tuple = ()
-    inflation: float = 1.0
-    untried: bool = False
-    fitted: object = field(default_factory=lambda: SimpleNamespace(left=1.0), compare=False)
-    fit: object = field(default=None, compare=False)
-
-    @property
-    def strengths(self):
-        names = [*self.candidate.alphas, *(f"s{p}" for p in self.candidate.springs)]
-        return list(zip(names, [*self.epsilon, *self.springs], strict=False))
-
-    def judged_as(self, verdict, reason):
-        return replace(self, verdict=verdict, reason=reason)
+from asymptotics.identification.judging.laws import UNTRIED
+from tests.identification import small_laws
+from tests.identification.small_laws import BELOW, SURE, fit
 
 
-def law(text, **more):
-    evidence = {name: more.pop(name) for name in ("misfit", "against", "outside") if name in more}
-    return Law(read(text), evidence=Evidence(**evidence), **more)
+def law(text, found=None, *, criterion=0.0, **known):
+    """A judged law, fitted unless it is said otherwise."""
+    return small_laws.law(text, found or fit(criterion), **known)
 
 
 @pytest.mark.parametrize(
@@ -75,9 +44,8 @@ def test_a_strength_is_negative_where_twice_its_interval_lies_below_zero(ends, n
 
 
 def test_what_refutes_a_law_is_asked_in_its_order():
-    below = Interval(-3.0, -2.0, -1.5)
     worse = Contradiction(read("2"), 20.0, 1, REFUTED / 2)
-    steps = [{"epsilon": (SURE, below)}, {"misfit": "a line at 3"}, {"against": worse}]
+    steps = [{"epsilon": (SURE, BELOW)}, {"misfit": "a line at 3"}, {"against": worse}]
     told = [
         "unphysical: the strength of 2 is negative",
         "its residuals are not independent noise: a line at 3",
@@ -96,17 +64,17 @@ def test_a_contradiction_refutes_below_its_level(p, verdict):
 
 
 def test_a_growing_motion_may_have_negative_losses():
-    below = Interval(-3.0, -2.0, -1.5)
-    assert labelled(law("1", epsilon=(below,)), growing=True).verdict == "consistent"
-    assert labelled(law("1", epsilon=(below,)), growing=False).verdict == "refuted"
+    assert labelled(law("1", epsilon=(BELOW,)), growing=True).verdict == "consistent"
+    assert labelled(law("1", epsilon=(BELOW,)), growing=False).verdict == "refuted"
 
 
 def test_a_law_without_a_limit_is_open_and_one_end_is_enough():
     none, one = Interval(None, 0.05, None), Interval(None, 0.05, 0.06)
     assert labelled(law("1+2", epsilon=(none, none)), False).verdict == "undetermined"
     assert labelled(law("1+2", epsilon=(none, one)), False).verdict == "consistent"
-    unusable = law("1", usable=False, verdict="as it was", misfit="x")
-    assert labelled(unusable, False) is unusable
+    for none in (fit(float("inf")), None):
+        unusable = small_laws.law("1", none, verdict="as it was", misfit="x")
+        assert labelled(unusable, False) is unusable
 
 
 def test_the_worst_contradiction_is_that_of_a_law_that_may_be(monkeypatch):
@@ -116,7 +84,7 @@ def test_the_worst_contradiction_is_that_of_a_law_that_may_be(monkeypatch):
         judgement, "against", lambda _, other: Contradiction(other.candidate, p=p[str(other.candidate)])
     )
     # Nor of one whose amplitudes lie outside the data.
-    others = [law("1"), law("2"), law("3", negative=("3",)), law("1+2"), law("0", outside="far outside")]
+    others = [law("1"), law("2"), law("3", epsilon=(BELOW,)), law("1+2"), law("0", outside="far outside")]
     p["0"] = 1e-9
     assert str(worst(others[0], others).by) == "1+2" and str(worst(others[0], others, growing=True).by) == "3"
     assert worst(others[0], others[:1]) == Contradiction()
@@ -124,11 +92,17 @@ def test_the_worst_contradiction_is_that_of_a_law_that_may_be(monkeypatch):
 
 def test_nothing_speaks_against_a_law_without_a_fit(monkeypatch):
     monkeypatch.setattr(judgement, "contradiction", lambda *_: "asked")
-    full, other, none = law("1", fit=1), law("2", fit=1), law("2")
-    unusable = law("2", fit=1, usable=False)
+    full, other, none = law("1"), law("2"), small_laws.law("2")
+    unusable = law("2", fit(float("inf")))
     assert judgement.against(full, other) == "asked"
     for less in (none, unusable):
         assert judgement.against(full, less) == Contradiction() == judgement.against(less, full)
+
+
+def test_a_law_that_the_time_did_not_suffice_for_is_open_whatever_speaks_against_it():
+    untried = law("1", missed=UNTRIED, misfit="x", against=Contradiction(read("2"), 9.0, 1, 0.0), verdict="refuted")
+    found = labelled(untried, False)
+    assert (found.verdict, found.reason) == ("undetermined", UNTRIED)
 
 
 @pytest.fixture
@@ -177,7 +151,7 @@ def test_the_minimal_laws_contain_no_other_that_stands(level):
 
 
 def test_a_law_with_more_parameters_is_beaten_by_a_simpler_one_that_makes_it_improbable(level):
-    laws = [law("1", criterion=1.0, parameters=1), law("2+3", criterion=0.0, parameters=2)]
+    laws = [law("1", criterion=1.0), law("2+3", criterion=0.0)]
     assert [names(part) for part in rivals(laws)] == [["2+3", "1"], []]
     level.p = 0.0
     assert [names(part) for part in rivals(laws)] == [["1"], ["2+3"]]

@@ -1,37 +1,36 @@
 """How an answer is told: every entry of the JSON, the rows of the table, units and digits, each from known numbers."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
 from asymptotics.identification.fitting.printed import Decrements
 from asymptotics.identification.fitting.profile import Interval
 from asymptotics.identification.forward.candidates import read_candidate as read
+from asymptotics.identification.judging.contradiction import Contradiction
+from asymptotics.identification.judging.grades import Unexplained
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.telling.result import LawAnswer, RecordUnits, _data, _shown, sorted_laws
+from tests.identification import small_laws
+from tests.identification.small_laws import BELOW, SURE, fit
 
 
-def law(text="1+s3", **more):
-    """What is asked of a judged law."""
+def law(text="1+s3", criterion=-12.5, **more):
+    """A judged law of which everything is known that can be told."""
+    left = Unexplained(0.012, np.ones(2), np.zeros(2))
     known = {
-        "candidate": read(text), "verdict": "consistent", "grade": "consistent", "graded": "consistent",
-        "unexplained": SimpleNamespace(share=0.012), "reason": "", "epsilon": (Interval(0.04, 0.05, 0.07),),
-        "springs": (Interval(0.1, 0.2, None),), "alpha": None, "criterion": -12.5, "excess": 0.25, "unneeded": ("s3",),
-        "against": SimpleNamespace(p=0.125), "fit": SimpleNamespace(bic=-7.5, scales={"x": 1e-3, "t": 2e-3}),
-        "profiled": True, "negative": (), "held_out": 1.0625, "untried": False,
-    } | more  # fmt: skip
-    evidence = {name: known.pop(name) for name in ("unexplained", "against", "held_out")}
-    intervals = SimpleNamespace(profiled=known.pop("profiled"))
-    return SimpleNamespace(evidence=SimpleNamespace(**evidence), intervals=intervals, **known)
+        "found": fit(criterion, bic=-7.5, scales={"x": 1e-3, "t": 2e-3}), "unexplained": left,
+        "epsilon": (Interval(0.04, 0.05, 0.07),), "springs": (Interval(0.1, 0.2, None),), "excess": 0.25,
+        "unneeded": ("s3",), "against": Contradiction(p=0.125), "profiled": True, "held_out": 1.0625,
+    }  # fmt: skip
+    return small_laws.law(text, **(known | more))
 
 
 def test_every_entry_of_the_json_of_a_law():
     """The contract of ``identify --json``: keys and numbers as texts."""
     assert LawAnswer(law()).to_dict() == {
-        "alphas": ["1"], "springs": ["3"], "pendulum": False, "verdict": "consistent", "grade": "consistent",
-        "unexplained": "0.012",
-        "reason": None, "epsilon": [Interval(0.04, 0.05, 0.07).to_dict()],
+        "alphas": ["1"], "springs": ["3"], "pendulum": False, "verdict": "consistent",
+        "grade": "consistent", "unexplained": "0.012", "reason": None,
+        "epsilon": [Interval(0.04, 0.05, 0.07).to_dict()],
         "spring_strengths": [Interval(0.1, 0.2, None).to_dict()], "alpha": None, "criterion": "-12.5",
         "criterion_difference": "0.25", "unneeded": ["s3"], "p_value": "0.125", "bic": "-7.5",
         "intervals": "profile likelihood", "unphysical": [], "held_out_error": "1.0625",
@@ -40,7 +39,7 @@ def test_every_entry_of_the_json_of_a_law():
 
 
 def test_what_is_not_there_is_null():
-    found = LawAnswer(law(unexplained=None, fit=None, held_out=None, criterion=np.inf, excess=np.nan)).to_dict()
+    found = LawAnswer(law(unexplained=None, found=None, held_out=None, excess=np.nan)).to_dict()
     assert [found[k] for k in ("unexplained", "bic", "held_out_error", "criterion", "criterion_difference")] == [
         None
     ] * 5
@@ -128,7 +127,8 @@ def test_the_laws_of_the_verdict_stand_first_then_the_better_ones():
 
 
 def test_physical_laws_stand_before_those_with_a_negative_loss_which_say_so():
-    laws = [law("0+2+3", unneeded=(), negative=("3",), criterion=0.0), law("1+2", unneeded=(), criterion=5.0)]
+    negative = (SURE, SURE, BELOW)
+    laws = [law("0+2+3", unneeded=(), epsilon=negative, criterion=0.0), law("1+2", unneeded=(), criterion=5.0)]
     assert [str(one.candidate) for one in sorted_laws(laws)] == ["1+2", "0+2+3"]
     assert LawAnswer(laws[0]).row()[1] == "consistent, unphysical" and LawAnswer(laws[1]).row()[1] == "consistent"
 

@@ -6,32 +6,37 @@ import numpy as np
 import pytest
 
 from asymptotics.identification.fitting.profile import Interval
-from asymptotics.identification.forward.candidates import read_candidate as read
 from asymptotics.identification.judging.allowance import Allowance
+from asymptotics.identification.judging.contradiction import Contradiction
+from asymptotics.identification.judging.grades import Unexplained
+from asymptotics.identification.judging.laws import UNTRIED
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.telling import verdicts
 from asymptotics.identification.telling.verdicts import (
     IDENTIFIED,
     NONE,
     SEVERAL,
+    UNDECIDED,
     UNTOLD,
     named,
     verdict_of,
     what_would_tell,
 )
+from tests.identification import small_laws
+from tests.identification.small_laws import BELOW, SURE, fit
 
-SURE, BELOW, AROUND = Interval(0.04, 0.05, 0.06), Interval(-3.0, -2.0, -1.0), Interval(-0.1, 0.0, 0.1)
+AROUND = Interval(-0.1, 0.0, 0.1)
 SEEN = Observations.of(range(21), 0.9 ** np.arange(21))
 
 
-def law(text, **more):
-    known = {
-        "candidate": read(text), "usable": True, "criterion": 0.0, "epsilon": (SURE,), "alpha": None, "negative": (),
-        "misfit": "", "against": SimpleNamespace(p=1.0), "grade": "consistent", "unexplained": None,
-        "residuals": "a line", "parameters": 1, "fit": SimpleNamespace(scales={"x": 1.0}), "untried": False,
-    } | more  # fmt: skip
-    evidence = {name: known.pop(name) for name in ("misfit", "against", "unexplained", "residuals")}
-    return SimpleNamespace(evidence=SimpleNamespace(**evidence), **known)
+def law(text, criterion=0.0, p=1.0, **known):
+    """A judged law, fitted unless it is said otherwise."""
+    against = Contradiction(p=p)
+    return small_laws.law(text, **({"found": fit(criterion), "against": against, "residuals": "a line"} | known))
+
+
+def left(share, *ends):
+    return Unexplained(share, np.array(ends or (1.0,)), np.zeros(1))
 
 
 @pytest.fixture
@@ -55,7 +60,7 @@ def test_one_law_is_identified_with_what_is_beside_it(judged):
     assert verdict([one]) == (IDENTIFIED, "identified: 1, among the laws tried")
     said = " (with more terms, 1+2, AICc falls by 4.5)"
     assert verdict([one, more]) == (IDENTIFIED, f"identified: 1, among the laws tried{said}")
-    more.criterion = -1.0  # 4 is not considerable
+    more = law("1+2", criterion=-1.0)  # 4 is not considerable
     assert verdict([one, more])[1] == "identified: 1, among the laws tried"
     judged.beaten = [more]
     assert verdict([one, more])[1].endswith(" (with more terms 1+2 cannot be excluded)")
@@ -88,7 +93,7 @@ def test_without_a_loss_that_shows_nothing_is_told(judged):
 
 
 def test_laws_that_stand_by_a_negative_loss_only_are_imitations(judged):
-    judged.chosen = [law("1+2", epsilon=(SURE, BELOW), negative=("2",))]
+    judged.chosen = [law("1+2", epsilon=(SURE, BELOW))]
     kind, text = verdict(judged.chosen)
     assert kind == NONE and text == "none fits with strengths >= 0: 1+2 needs a negative one (2)"
     kind, text = verdict(judged.chosen, growing=True)
@@ -100,23 +105,33 @@ def test_laws_that_stand_by_a_negative_loss_only_are_imitations(judged):
 def test_where_nothing_stands_it_is_said_what_is_near(judged):
     del judged
     adequate = [
-        law(text, grade="adequate", parameters=k, criterion=c, unexplained=SimpleNamespace(share=0.03, ends=(0.1, 0.9)))
-        for text, k, c in (("1+2", 2, 1.0), ("3", 1, 9.0), ("2", 1, 5.0))
+        law(text, verdict="refuted", criterion=c, unexplained=left(0.03, 0.1, 0.9))
+        for text, c in (("1+2", 1.0), ("3", 9.0), ("2", 5.0))
     ]
-    best = law("0+1+2", criterion=-5.0, unexplained=SimpleNamespace(share=0.12), against=SimpleNamespace(p=0.0))
+    best = law("0+1+2", verdict="refuted", criterion=-5.0, unexplained=left(0.12), p=0.0)
     kind, text = verdict([best, *adequate])
     assert (
         kind == NONE and "the best is 0+1+2: a line; 2 is adequate to 3 % of the loss at amplitudes 0.1 to 0.9" in text
     )
     assert verdict([best])[1].endswith("the best is 0+1+2: a line; 0+1+2 misses 12 % of the loss")
     assert verdict([law("1")])[1].endswith("the best is 1: a line")
-    support = law("1+2", negative=("2",))
+    support = law("1+2", epsilon=(SURE, BELOW))
     assert verdict([best, support])[1].startswith(
         "none fits: the laws with support need a negative loss; the best is 0+1+2"
     )
-    for spoilt in ({"misfit": "x"}, {"against": SimpleNamespace(p=1e-9)}):
-        assert "at the noise level" in verdict([best, law("1+2", negative=("2",), **spoilt)])[1]
-    assert verdict([law("1", usable=False)])[1] == f"{UNTOLD} to tell: the data determine no candidate law"
+    for spoilt in ({"misfit": "x"}, {"p": 1e-9}):
+        assert "at the noise level" in verdict([best, law("1+2", epsilon=(SURE, BELOW), **spoilt)])[1]
+    assert verdict([law("1", found=None)])[1] == f"{UNTOLD} to tell: the data determine no candidate law"
+
+
+def test_while_a_law_is_untried_none_is_identified(judged):
+    """Whatever stands so far: the verdict says how many are left, and which laws stand among the others."""
+    one, more = law("1"), law("2", missed=UNTRIED, verdict="undetermined")
+    judged.chosen = [one]
+    said = f"{UNDECIDED}: the time was over before 1 of 2 laws were judged; consistent so far: "
+    assert verdict([one, more]) == (UNDECIDED, f"{said}1")
+    assert verdict([law("1", verdict="refuted"), more]) == (UNDECIDED, f"{said}none")
+    assert verdict([one, law("2", missed="too few data", verdict="undetermined")])[0] == IDENTIFIED
 
 
 def test_an_exponent_that_was_found_is_named():
@@ -138,5 +153,7 @@ def test_what_would_tell_two_laws_apart(monkeypatch, differences, said):
     monkeypatch.setattr(verdicts, "separation", lambda _one, _other, _seen, last, _noise: differences.get(last, 1.0))
     assert what_would_tell(law("1"), law("2"), SEEN) == f"to tell 1 from 2: {said}"
     assert (
-        what_would_tell(law("1", fit=None), law("2"), SEEN) == "" == what_would_tell(law("1"), law("2", fit=None), SEEN)
+        what_would_tell(law("1", found=None), law("2"), SEEN)
+        == ""
+        == what_would_tell(law("1"), law("2", found=None), SEEN)
     )
