@@ -5,6 +5,7 @@ from tests.ladders.register import Names, each
 EXACT = "arithmetic of balls and nothing else: no truncation, no choice"
 CHOICE = "a choice that claims nothing"
 MIDPOINTS = "midpoints of the asymptotic motion, which is not certified"
+TRIED = "midpoints that claim nothing: the checker of certificates, in integers, finds out how good they are"
 
 NONE_NEEDED: Names = {
     **each("expansions.multiple_scales.certified_waves", "half_turns", EXACT),
@@ -39,6 +40,9 @@ NONE_NEEDED: Names = {
         "PolynomialForce.at PolynomialForce.slopes PolynomialForce.bends",
         EXACT,
     ),
+    **each("certificates.series", "Series.at from_rest in_motion", TRIED),
+    **each("certificates.layout", "landing", TRIED),
+    **each("certificates.known", "known_before known_turning_points", TRIED),
     **each("flow.times", "NearRest.reach NearRest.state NearRest.acceleration NearRest.moved", "abstract"),
     **each(
         "flow.force",

@@ -7,6 +7,7 @@ from flint import arb, ctx
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.certified_orders import elementary_series, sine_ratio_power
 from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
+from asymptotics.expansions.half_swings.node_transform import NodeTransform
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states, states_from
@@ -139,6 +140,18 @@ def mapped(_):
     return [f[n] for f in (half.L, half.T) for n in ((2, 0), (1, 1), (1, 3))]
 
 
+def transformed(count):
+    """Sums of two columns; the values of each degree by itself."""
+
+    def value(x):
+        transform, powers = NodeTransform(count), [x ** (k + 1) for k in range(count)]
+        sums = transform.sums([[c, 1 - c] for c in powers])
+        alone = [[c if k == n else arb(0) for k, c in enumerate(powers)] for n in range(count)]
+        return [c for part in (*sums, *map(transform.values, alone)) for c in part]
+
+    return value
+
+
 def ratio(x):
     return [CertifiedRatio.of((Term(1, 1), Term(1, 2))).at([x, x])]
 
@@ -173,6 +186,7 @@ STATES, FROM = many("dense.states", FLOW), many("dense.states_from", FLOW)
 MAP, DURATION = "asymptotics.turning.quadratic_map.", "asymptotics.turning.quadratic_duration."
 EXACT = "asymptotics.turning.energy_primitive.PrimitiveWell."
 ORDERS = "asymptotics.expansions.half_swings.certified_orders."
+TRANSFORM = "asymptotics.expansions.half_swings.node_transform.NodeTransform."
 
 PIECES = [
     Ladder(LAW, lambda x: [law(SUM).resistance(x), *law(SUM).terms(x)], stretch=4),
@@ -260,6 +274,8 @@ SERIES = [
         rungs=(10, 20, 40, 80),
         truth=160,
     ),
+    # An odd and an even number of nodes, with and without a node at 0; one alone has no odd degree.
+    *(Ladder(many("sums values", TRANSFORM), transformed(count), lost=4, stretch=12) for count in (1, 2, 7)),
     Ladder(
         many("of at polynomial", "asymptotics.identification.certified_sets.certified_ratio.CertifiedRatio."),
         ratio,
