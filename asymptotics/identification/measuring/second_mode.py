@@ -137,7 +137,11 @@ def _fitted(t: Array, x: Array, omega: float, other: float) -> tuple[Array, str]
     first_sign = (-1.0) ** np.arange(columns // 2)  # Chebyshev's polynomials at the beginning
     size = float(np.hypot(*(first_sign @ c.reshape(-1, 2)))) / float(first.at(T)[0][0])
     said = f"a second mode at {other:.4g} rad a unit of time, {100 * size:.2g} % of the first at the beginning"
-    return line[:, :columns] @ c, f"{said}, measured and taken off"
+    taken = line[:, :columns] @ c
+    # A line larger than the record itself is one of two that cancel: the fit has not told it from the motion.
+    if float(np.abs(taken).max()) > float(np.ptp(x)) / 2:
+        return None
+    return taken, f"{said}, measured and taken off"
 
 
 def _solved(main: Array, line: Array, x: Array) -> Array:
