@@ -79,7 +79,15 @@ def _terms_of_options(options: argparse.Namespace) -> GivenTerms | str:
     return SYMBOLIC if options.alpha == SYMBOLIC else read_terms(options)
 
 
-TERMS = Kind("LAW", _terms, options=law_options(), assemble=_terms_of_options, feeds=LAW_FEEDS, group="the law")
+TERMS = Kind(
+    "LAW",
+    _terms,
+    options=law_options(),
+    assemble=_terms_of_options,
+    feeds=LAW_FEEDS,
+    group="the law",
+    beside=("spring",),
+)
 """Terms whose strengths may be left out; ``SYMBOLIC`` for a symbol in the place of the exponent."""
 
 

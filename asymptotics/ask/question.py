@@ -245,6 +245,10 @@ def _question(function: Callable[..., Any], offers: Offers, name: str, swept: bo
         for n, p in inspect.signature(function).parameters.items()
         if hasattr(hints.get(n), "__metadata__")
     )
+    # What no kind reads would be taken as it is, or not at all: a spring was lost so.
+    read = {a.name for a in asked}.union(*(a.kind.beside for a in asked))
+    if unread := set(inspect.signature(function).parameters) - read:
+        raise TypeError(f"no kind reads {', '.join(sorted(unread))} of {function.__name__}")
     return Question(name or function.__name__.replace("_", "-"), function, asked, offers, page.rstrip(), swept)
 
 

@@ -6,12 +6,14 @@ import json
 import re
 import shlex
 from dataclasses import replace
+from typing import Annotated
 
 import pytest
 
 import asymptotics as asy
+from asymptotics.ask.answers import Offers
 from asymptotics.ask.kinds import REAL, whole
-from asymptotics.ask.question import Question
+from asymptotics.ask.question import Question, question
 from asymptotics.ask.registry import QUESTIONS, loaded, summary
 from asymptotics.cli.asked import Command
 from asymptotics.cli.main import main
@@ -157,3 +159,22 @@ def test_a_kind_that_does_not_refuse_is_noticed(capsys, monkeypatch):
     with pytest.raises(AssertionError):
         test_a_hostile_text_is_refused_by_the_name_of_its_option_or_answered(capsys, "stokes", deaf.option)
     assert whole(1, 9).read("4", "n") == 4
+
+
+def test_a_parameter_that_no_kind_reads_is_no_declaration():
+    """A spring beside a law was lost so: half_swing([2], spring={3: 1}) answered for the linear spring."""
+    assert "1,1" in asy.half_swing([2], spring={3: 1}, order=2).U
+    assert asy.limit_cycle({1: -1, (1, 2): 1}, spring={3: 1}, mu=1, digits=3).amplitude == {}
+
+    def unread(count: Annotated[int, whole(1, 9)], spring: object = None) -> int:
+        """None.
+
+        Parameters
+        ----------
+        count
+            how many
+        """
+        return count
+
+    with pytest.raises(TypeError, match="no kind reads spring"):
+        question(Offers())(unread)
