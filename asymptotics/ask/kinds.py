@@ -73,6 +73,7 @@ class Kind:
 
     ``option``: what the shell calls it, where that is not the parameter's name.  ``needed``: the shell demands it,
     though Python has a default.  ``words``: its values are words and no numbers, also on the axes of a sweep.
+    ``in_shell``: whether it is an option there.
     ``beside``: other parameters of the Python call that its reader takes, such as the springs of a law.
     ``options`` and ``assemble``: a kind that several options make (a law, a start); ``feeds`` says which of them may
     have set a parameter of the library, so that an error can name the one that was typed.  ``in_header``: the header of
@@ -91,6 +92,7 @@ class Kind:
     several: bool = False
     default: str = ""
     beside: tuple[str, ...] = ()
+    in_shell: bool = True
     options: tuple[Option, ...] = ()
     assemble: Callable[[argparse.Namespace], Any] | None = None
     feeds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)

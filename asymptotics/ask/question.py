@@ -69,7 +69,7 @@ class Asked:
     @property
     def options(self) -> tuple[Option, ...]:
         """All options that set it."""
-        return self.kind.options or (self.option,)
+        return self.kind.options or ((self.option,) if self.kind.in_shell else ())
 
 
 @dataclass(frozen=True)

@@ -46,7 +46,7 @@ SCALARS = [
     pytest.param(name, asked.option, id=f"{name} {asked.option.name}")
     for name in QUESTIONS
     for asked in loaded(name).asked
-    if not asked.kind.options and asked.kind.letter and not asked.kind.place
+    if asked.kind.in_shell and not asked.kind.options and asked.kind.letter and not asked.kind.place
 ]
 
 

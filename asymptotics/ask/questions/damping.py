@@ -9,7 +9,7 @@ from typing import Annotated, Any, cast
 from asymptotics.api.units import law_of
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.forces import read_law
-from asymptotics.ask.kinds import COMPUTED, REAL, SECONDS, Kind, Option, digits, whole
+from asymptotics.ask.kinds import COMPUTED, FLAG, REAL, SECONDS, Kind, Option, digits, whole
 from asymptotics.ask.laws import LAW_FEEDS, SYMBOLIC, law_options, start_options, unit_options
 from asymptotics.ask.moving import Given, read_oscillator
 from asymptotics.ask.question import question
@@ -18,7 +18,7 @@ from asymptotics.equivalent.at_amplitudes import damping_at
 from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import DRAWN
 from asymptotics.equivalent.symbolic import symbolic_exponent
-from asymptotics.errors import InputError, LimitError, require_flag
+from asymptotics.errors import InputError, LimitError
 from asymptotics.identification.damping_table import law_of_table
 from asymptotics.identification.found_law import DampingLaw
 from asymptotics.law import PENDULUM, LawLike, Oscillator, SpringLike
@@ -264,7 +264,7 @@ def damping(
     *,
     order: Annotated[int | None, whole(1, MAX_ORDER).called(told=f": 1 to {MAX_ORDER}")] = None,
     digits: Annotated[int, digits(MAX_DIGITS)] = 12,
-    motion: bool = True,
+    motion: Annotated[bool, FLAG.called(in_shell=False)] = True,
     spring: SpringLike | None = None,
     unit: Annotated[str, UNIT] = "",
     max_seconds: Annotated[Number, SECONDS] = 60,
@@ -327,7 +327,6 @@ def damping(
     >>> [(row.amplitude, row.first.Q) for row in swing.rows], swing.header()[1]
     ([('10', '36.47'), ('40', '20.12')], 'amplitude [deg]')
     """
-    require_flag(motion, "motion")
     if isinstance(law, str):
         if amplitudes is not None or order is not None or unit:
             raise InputError("law", "a symbolic exponent has formulas only", "no amplitudes, order or spring beside it")
