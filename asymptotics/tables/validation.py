@@ -51,7 +51,8 @@ class Validation(Rows):
         return len(self.pairs)
 
     def _page(self) -> Page:
-        return Page(str(self), (), ("row", "column", "ours", "mpmath"), tuple(pair[:4] for pair in self.pairs))
+        worth = "heuristic: mpmath alone, beside certified digits"
+        return Page(str(self), (worth,), ("row", "column", "ours", "mpmath"), tuple(pair[:4] for pair in self.pairs))
 
     def _table(self) -> dict[str, list[Any]]:
         names = ("row", "column", "ours", "mpmath", "equal")
