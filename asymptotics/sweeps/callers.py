@@ -37,6 +37,8 @@ def caller_mark(task: Callable[..., Any], version: str | None = None) -> str:
 
 def _seen(value: Any, met: set[int]) -> str:
     """A text that is another one for other code, and the same in every process."""
+    if isinstance(value, int) and not isinstance(value, bool):
+        return hex(value)  # of any length: Python prints no decimal of more than 4300 digits
     if isinstance(value, _PLAIN):
         return repr(value)
     if isinstance(value, tuple | list):

@@ -131,10 +131,10 @@ def sweep(
     everything finished is then in the store.
     """
     start = time.perf_counter()
-    own = caller_mark(task, version)
-    command = f"{command} [{own}]" if own else command
     folder = _folder(folder)
     _require_readable(task, command, points, progress)
+    own = caller_mark(task, version)
+    command = f"{command} [{own}]" if own else command
     workers = None if workers is None else exact_integer(workers, "workers", 1, MAX_WORKERS)
     require_usable(folder)
     # A finished sweep can be read from a folder of somebody else's, or from an archive.
