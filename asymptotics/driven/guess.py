@@ -4,8 +4,9 @@ The unit of x is the amplitude of first order, that of a force f.
 """
 
 from collections.abc import Callable
-from math import ceil, cos, hypot, isfinite, pi, sin, sqrt
+from math import ceil, cos, hypot, inf, isfinite, pi, sin, sqrt
 
+from asymptotics.budget import tick
 from asymptotics.driven.drive import Balls
 from asymptotics.errors import LimitError
 
@@ -22,7 +23,9 @@ def turning_point(balls: Balls, phase: float) -> State:
         loss = sum(c * abs(v) ** a for c, a in losses)
         return v, (cos(theta) - k * x - (loss if v > 0 else -loss if v < 0 else 0.0)) / mu
 
-    steps = ceil(_STEPS * max(1.0, sqrt(k / mu), max(c / mu for c, _ in losses)))
+    # How many steps: by the fastest rate of the equation; what no double holds is too fast as well.
+    rate = max(1.0, sqrt(k / mu), max(c / mu for c, _ in losses)) if mu > 0 else inf
+    steps = ceil(_STEPS * min(rate, 1000.0))
     if steps > 100 * _STEPS:
         raise LimitError("omega", "the free motion swings too often in half a period", "a frequency nearer omega_0")
     x, v = _fixed(slope, steps, cos(phase), sin(phase))
@@ -62,6 +65,7 @@ def _half(slope: Slope, steps: int, x: float, v: float) -> State:
 def _fixed(slope: Slope, steps: int, x: float, v: float) -> State:
     size = hypot(x, v)
     for _ in range(_TRIES):
+        tick("the response in doubles")
         X, V = _half(slope, steps, x, v)
         miss = (X - x, V - v)
         if not all(map(isfinite, miss)):
