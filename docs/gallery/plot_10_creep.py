@@ -1,6 +1,6 @@
 """
 Why does it neither stop nor swing?  Creep below α = 1
-====================================================
+=======================================================
 
 For :math:`0 < \\alpha < 1` the damping force wins at small speed.  After finitely many swings the mass creeps back like
 a power of time: for :math:`\\alpha = 1/2` like :math:`\\varepsilon^2/\\tau`.  The averaged law
