@@ -42,11 +42,17 @@ def _call(shown, function, call, kind="function", indent=""):
     """A function or a method: signature and sections."""
     plain = inspect.unwrap(function)
     node = definition(plain)
-    body = _docstring(plain.__doc__ or "")
-    body += _section("Parameters", _parameters(node, call))
+    declared = getattr(function, "__question__", None)
+    sections = _numpydoc(plain.__doc__ or "")
+    # Of a declared question the page of --help is the text, its sections stand below.
+    body = _docstring(
+        plain.__doc__ or "" if declared is None else "\n\n".join((declared.page, sections.get("Notes", "")))
+    )
+    body += _section("Parameters", _parameters(node, call, declared))
     returns = ast.unparse(node.returns) if node.returns is not None else "None"
     body += _section("Returns", f"``{returns}``{_linked(returns)}" if returns != "None" else "")
-    body += _section("Raises", _prose(" ".join(raised(plain.__doc__ or ""))))
+    told = " ".join(sections["Raises"].split()) if "Raises" in sections else " ".join(raised(plain.__doc__ or ""))
+    body += _section("Raises", _prose(told))
     if kind == "function":
         body += _section("Examples", _block("\n".join(examples(plain)), "pycon"))
         body += _section("Source", _prose(source(plain)))
@@ -105,18 +111,31 @@ def signature(node):
     return f"({', '.join([*shown, *star, *keywords, *double])})"
 
 
+def _plain(annotation):
+    """The type of an annotation, without the kind that reads it."""
+    kind = isinstance(annotation, ast.Subscript) and ast.unparse(annotation.value) == "Annotated"
+    return annotation.slice.elts[0] if kind else annotation
+
+
 def parameters(node):
     """(name, annotation) of each parameter."""
     every = [*node.args.posonlyargs, *node.args.args, node.args.vararg, *node.args.kwonlyargs, node.args.kwarg]
     return [
-        (a.arg, "" if a.annotation is None else ast.unparse(a.annotation))
+        (a.arg, "" if a.annotation is None else ast.unparse(_plain(a.annotation)))
         for a in every
         if a is not None and a.arg not in ("self", "cls")
     ]
 
 
-def _parameters(node, call):
-    rows = [(n, a, meaning(call, n) or "") for n, a in parameters(node)]
+def _numpydoc(docstring):
+    """The sections of a numpydoc docstring, by name."""
+    parts = re.split(r"^(\w+)\n-+\n", inspect.cleandoc(docstring), flags=re.MULTILINE)
+    return {name: text.strip() for name, text in zip(parts[1::2], parts[2::2])}
+
+
+def _parameters(node, call, declared=None):
+    helped = {} if declared is None else {a.name: a.help for a in declared.asked}
+    rows = [(n, a, helped.get(n) or meaning(call, n) or "") for n, a in parameters(node)]
     return "\n".join(f"**{n}** : ``{a}``\n    {_prose(m)}\n" for n, a, m in rows)
 
 
