@@ -35,7 +35,6 @@ if TYPE_CHECKING:
     from asymptotics.ask.questions.half_swing import half_swing
     from asymptotics.ask.questions.limit_cycle import limit_cycle
     from asymptotics.ask.questions.moment import moment
-    from asymptotics.ask.questions.response import response
     from asymptotics.ask.questions.stokes import stokes
     from asymptotics.ask.questions.table import table
     from asymptotics.ask.questions.turning_points import turning_points
@@ -63,7 +62,6 @@ __version__ = "0.1.0"
 _HOMES = {
     "api.constants": ("S", "T", "radii"),
     "ask.questions.damping": ("damping", "damping_law"),
-    "ask.questions.response": ("response",),
     "ask.questions.stokes": ("stokes",),
     "api.files": ("compare",),
     "ask.questions.derive": ("derive",),
@@ -143,7 +141,6 @@ __all__ = [
     "radii",
     "reference",
     "remainder",
-    "response",
     "solution",
     "statements",
     "stokes",

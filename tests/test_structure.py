@@ -57,7 +57,6 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "records",
     "comparison",
     "equivalent",
-    "driven",
     "identification.forward",
     "identification.measuring",
     "identification.fitting",

@@ -63,7 +63,6 @@ DIGITS = {
     "api S": lambda d: asymptotics.S(1, 0, digits=d),
     "api T": lambda d: asymptotics.T(1, "-1/4", digits=d),
     "api radii": lambda d: asymptotics.radii("1/2", digits=d),
-    "api response": lambda d: asymptotics.response({1: "1/10"}, "1/5", "3/4", digits=d),
     "api stokes": lambda d: asymptotics.stokes(0, digits=d),
     "api damping": lambda d: asymptotics.damping({2: "1/10"}, 1, motion=False, digits=d),
     "api limit_cycle": lambda d: asymptotics.limit_cycle({1: -1, (1, 2): 1}, order=2, digits=d),
@@ -121,7 +120,7 @@ INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.limit_cycles", "asymptotics.bounds", "asymptotics.api.evaluated", "asymptotics.api.envelope_order",
     "asymptotics.api.envelope_table", "asymptotics.certificates", "asymptotics.api.started",
     "asymptotics.expansions.multiple_scales.rates", "asymptotics.curves",
-    "asymptotics.driven", "asymptotics.ask",  # read by their kinds: tests/ask
+    "asymptotics.ask",  # read by their kinds: tests/ask
 }  # fmt: skip
 
 
