@@ -122,7 +122,8 @@ def run(argv: list[str] | None = None) -> int:
     if name in MODULES:
         add_missing(parser, name)
         group_options(parser)
-    parser.add_argument("--schema", action=_Schema, nargs=0, help="the request as JSON Schema")
+    else:  # a module has no declaration that a schema could be made of
+        parser.add_argument("--schema", action=_Schema, nargs=0, help="the request as JSON Schema")
     options = parser.parse_args(arguments[1:])
     try:
         typed(options)

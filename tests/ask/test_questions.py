@@ -16,6 +16,7 @@ from asymptotics.ask.kinds import REAL, whole
 from asymptotics.ask.question import Question, question
 from asymptotics.ask.registry import QUESTIONS, loaded, summary
 from asymptotics.cli.asked import Command
+from asymptotics.cli.commands import MODULES
 from asymptotics.cli.main import main
 from asymptotics.cli.requests import stated_request
 from asymptotics.cli.swept import read_axes
@@ -178,3 +179,10 @@ def test_a_parameter_that_no_kind_reads_is_no_declaration():
 
     with pytest.raises(TypeError, match="no kind reads spring"):
         question(Offers())(unread)
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_what_is_no_question_offers_no_schema(capsys, name):
+    """It ended as a fault of the program."""
+    code, out, err = run(capsys, name, "--schema")
+    assert (code, out, err.count("\n")) == (2, "", 1)
