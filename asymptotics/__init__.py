@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from asymptotics.ask.questions.damping import damping, damping_law
     from asymptotics.ask.questions.derive import derive
     from asymptotics.ask.questions.half_swing import half_swing
+    from asymptotics.ask.questions.identify import identify
     from asymptotics.ask.questions.limit_cycle import limit_cycle
     from asymptotics.ask.questions.moment import moment
     from asymptotics.ask.questions.stokes import stokes
@@ -46,7 +47,6 @@ if TYPE_CHECKING:
     from asymptotics.expansions.equations.build import expand
     from asymptotics.expansions.equations.result import Equations
     from asymptotics.identification.found_law import DampingLaw
-    from asymptotics.identification.identify import identify
     from asymptotics.identification.telling.html_report import html_report
     from asymptotics.identification.telling.result import Identification
     from asymptotics.law import Law, Oscillator, PhysicalLaw
@@ -70,6 +70,7 @@ _HOMES = {
     "ask.questions.table": ("table",),
     "ask.questions.moment": ("moment",),
     "ask.questions.half_swing": ("half_swing",),
+    "ask.questions.identify": ("identify",),
     "ask.questions.limit_cycle": ("limit_cycle",),
     "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
     "api.pictures": ("plot",),
@@ -86,7 +87,6 @@ _HOMES = {
     "equivalent.result": ("EquivalentDamping",),
     "errors": ("InputError", "LimitError", "UndecidedError"),
     "identification.telling.html_report": ("html_report",),
-    "identification.identify": ("identify",),
     "identification.telling.result": ("Identification",),
     "law": ("Law", "Oscillator", "PhysicalLaw"),
     "numbers.exact": ("ExactReal",),

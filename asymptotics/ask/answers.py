@@ -88,6 +88,9 @@ class Offers:
     show                    an own way to show and write: refuses before the work, then makes (data, text) of the result
     certificate             what --certificate writes: something with to_json() (certificates.of_results)
     missing                 (rows done, what is missing) of what was done when the work was cut short
+    page                    what --html writes: one page
+    reads                   the parameter whose words are files that are read: no file is written over one of them
+    asked_again             whether the header of a table names the request, for ``compare`` to ask it again
     rows_done               (text, rows, what is missing) of the table, of the rows that were done when making it was
                             cut short; None of what is no such row
     inverse                 another ``Question``, asked in the place of this one where its first option is given
@@ -118,6 +121,9 @@ class Offers:
     instead: Callable[[Request], tuple[dict[str, Any], str] | None] = lambda _: None
     show: Callable[[Request], Callable[[Any], tuple[dict[str, Any], str]]] | None = None
     certificate: Part | None = None
+    page: Part | None = None
+    reads: str = ""
+    asked_again: bool = True
     missing: Callable[[Any, Request], tuple[int, str]] | None = None
     rows_done: Callable[[Any, Request], tuple[str, int, str] | None] | None = None
     inverse: Any = None
@@ -138,6 +144,8 @@ class Offers:
             ]
         if self.overlay:
             found.append(Option("overlay", "LAW", self.overlay, "output", repeated=True))
+        if self.page is not None:
+            found.append(Option("html", "FILE", "one page: verdict, pictures, laws, data, provenance", "output"))
         if self.table:
             found.append(Option("csv", "FILE", f"{self.table}, as a table of columns", "output"))
         if self.certificate is not None:

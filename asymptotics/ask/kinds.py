@@ -22,7 +22,7 @@ from typing import Any
 
 from asymptotics.errors import InputError, require_choice, require_flag, shown
 from asymptotics.numbers.exact import REAL_FORMS
-from asymptotics.numbers.policy import exact_integer, exact_number, exact_seconds
+from asymptotics.numbers.policy import exact_double, exact_integer, exact_number, exact_seconds
 
 COMPUTED = "what to compute"
 
@@ -104,6 +104,17 @@ class Kind:
 
 
 REAL = Kind("A", exact_number, schema={"type": "string", "description": REAL_FORMS})
+
+
+def _positive(value: Any, name: str) -> float:
+    number = exact_double(value, name)
+    if not number > 0:
+        raise InputError(name, f"{shown(value)} is not positive", "a positive number")
+    return number
+
+
+POSITIVE = Kind("S", _positive)
+"""A double > 0: what is known of data, which a fit uses and no claim rests on."""
 FLAG = Kind("", require_flag, schema={"type": "boolean"})
 
 

@@ -54,7 +54,7 @@ class Asked:
     def option(self) -> Option:
         """The one option of the shell that sets it."""
         kind, told = self.kind, self.help + self.kind.told
-        unsaid = self.default is None or self.default is False or self.default in (inspect.Parameter.empty, "")
+        unsaid = self.default is None or self.default is False or self.default in (inspect.Parameter.empty, "", ())
         default = kind.default or ("" if unsaid or kind.needed else self.default)
         if told.count("(") > told.count(")"):
             told += f"; default {default})" if default != "" else ")"

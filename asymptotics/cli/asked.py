@@ -13,6 +13,7 @@ from asymptotics.cli.answer import Answer, shortened
 from asymptotics.cli.common import Refuse
 from asymptotics.cli.files import Makers, picture_maker, read_files, write_files
 from asymptotics.cut_short import changed
+from asymptotics.present.files import require_different
 
 CHECKER = Path(asymptotics.__file__).parent / "testing" / "check_certificate.py"
 
@@ -56,6 +57,9 @@ class Command:
         offers = self.question.offers
         own = options if offers.show is None else argparse.Namespace(plot=getattr(options, "plot", None))
         files = read_files(own)
+        if offers.reads:  # a file of data must not be overwritten by a picture of it, whichever of several it is
+            for name in read_words(getattr(options, offers.reads)):
+                require_different({"FILE": Path(name), **files})
         request = Request(self.question.of_options(options), options)
         offers.typed(request)
         if offers.show is None:
@@ -72,6 +76,9 @@ class Command:
     def _shown(self, request: Request, files: dict[str, Path], found: Any) -> Answer:
         offers, options = self.question.offers, request.options
         makers: Makers = {"--csv": lambda _: offers.as_csv(found, request)}
+        if offers.page is not None:
+            page = offers.page
+            makers["--html"] = lambda _: page(found, request)
         if offers.picture:
             style = offers.style(found, request) if options.plot else {}
             makers["--plot"] = picture_maker(options, lambda: offers.drawn(found, request), **style)
@@ -81,7 +88,7 @@ class Command:
             files = files | {"checker": files["--certificate"].with_name(CHECKER.name)}
             makers["checker"] = lambda _: CHECKER.read_text(encoding="utf-8")
         with changed(lambda rows: self._with_rows(request, files, found, rows)):
-            written = write_files(files, makers, options, self.question)
+            written = write_files(files, makers, options if offers.asked_again else None, self.question)
         return self._answer(request, found, written)
 
     def _with_rows(self, request: Request, files: dict[str, Path], found: Any, rows: Any) -> Answer | None:
@@ -105,6 +112,11 @@ class Command:
         shown = [text] if wanted and not offers.always_files else [text, *written]
         shown += [more] if (more := offers.besides(found, request)) else []
         return Answer(data, "\n".join(shown), options.json, bool(offers.failed(found, request)))
+
+
+def read_words(given: str | list[str]) -> list[str]:
+    """One word or several."""
+    return [given] if isinstance(given, str) else given
 
 
 def _data(offers: Offers, found: Any, request: Request, latex: str, written: list[str]) -> dict[str, Any]:

@@ -7,7 +7,6 @@ from asymptotics.ask.registry import QUESTIONS, loaded, summary
 
 MODULES = {
     "compare": "your own values beside certified ones: right digits, and what the errors look like",
-    "identify": "which damping law is it: from a measured decay to exponents, strengths and intervals",
     "sweep": "any of these commands at many points, resumable, from one core to a cluster",
 }
 COMMANDS = tuple(sorted((*MODULES, *QUESTIONS)))

@@ -29,12 +29,6 @@ MISSING: dict[str, dict[str, str]] = {
         "latex": "the rows are text; `--csv` writes them",
         "points": _OWN_GRID,
     },
-    "identify": {
-        "digits": "intervals carry as many digits as the data decide",
-        "gauge": _OBSERVED,
-        "latex": "the answer is a verdict in words; `--csv` has all candidate laws",
-        "points": _OWN_GRID,
-    },
     "sweep": {
         **dict.fromkeys(("csv", "latex", "plot"), "`--export FILE.csv`, .json or .parquet writes the points"),
         "digits": "it is an option of COMMAND, and stands behind it",

@@ -62,7 +62,10 @@ def stated_request(words: Sequence[str]) -> tuple[str, dict[str, str]]:
 
 def _is_asked_again(command: str) -> bool:
     """Whether it is a question whose header is its request."""
-    return command in QUESTIONS and bool((offers := loaded(command).offers).table) and not offers.oscillator_alone
+    if command not in QUESTIONS:
+        return False
+    offers = loaded(command).offers
+    return bool(offers.table) and offers.asked_again and not offers.oscillator_alone
 
 
 def _known(command: str) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
