@@ -32,6 +32,7 @@ class Option:
     """One option of the shell: its name without dashes, the letter of its value (none: a flag), its help.
 
     ``repeated``: it may be given again, ``several``: it takes one word or more, ``place``: it stands without its name;
+    ``rest``: it is all words behind a place;
     ``words``: the values that there are, for the completion of a shell.
     """
 
@@ -42,6 +43,7 @@ class Option:
     repeated: bool = False
     several: bool = False
     place: bool = False
+    rest: bool = False
     needed: bool = False
     dest: str = ""
     words: tuple[str, ...] = ()
@@ -54,6 +56,9 @@ class Option:
     def add_to(self, parser: Any) -> None:
         """Declare it; every value stays a text."""
         more: dict[str, Any] = {"help": self.help}
+        if self.rest:
+            parser.add_argument(self.key, metavar=self.letter, nargs=argparse.REMAINDER, **more)
+            return
         if self.place:
             count = "+" if self.several and self.needed else "*" if self.several else None if self.needed else "?"
             parser.add_argument(self.key, metavar=self.letter, nargs=count, **more).words = self.words

@@ -80,7 +80,7 @@ def _page(found: Identification, request: Request) -> str:
         text=lambda found, _: told(found),
         always_files=True,
         reads="data",
-        asked_again=False,
+        again=None,
         lacks={
             "digits": "intervals carry as many digits as the data decide",
             "gauge": "what is observed is the same in every gauge",
