@@ -12,7 +12,6 @@ from typing import Any
 
 from flint import arb
 
-from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.coulomb import exact_turning_points
@@ -25,6 +24,7 @@ from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.value import Coefficient, number_of
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows, Shown
+from asymptotics.running.cut_short import changed
 from asymptotics.turning import choose
 from asymptotics.turning.result import Sequenced, TurningPoints, draw_sizes
 from asymptotics.turning.table import MAX_DIGITS

@@ -173,7 +173,7 @@ def turning_points(
     InputError
         for anti-damping, values out of range and a route that does not serve
     LimitError
-        with the estimate; ``asymptotics.cut_short.done(error)`` hands over the points that were done
+        with the estimate; ``asymptotics.running.cut_short.done(error)`` hands over the points that were done
     UndecidedError
         where balls cannot tell how it goes on
 
