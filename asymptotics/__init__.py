@@ -38,7 +38,6 @@ if TYPE_CHECKING:
     from asymptotics.curves.pictures import plot
     from asymptotics.curves.slow import Envelope, envelope
     from asymptotics.curves.solution import solution
-    from asymptotics.curves.turning_points import OscillatorTurningPoints
     from asymptotics.curves.waves import waveforms
     from asymptotics.decays.identification.found_law import DampingLaw
     from asymptotics.decays.identification.telling.html_report import html_report
@@ -57,6 +56,7 @@ if TYPE_CHECKING:
     from asymptotics.papers.statement import PaperStatement
     from asymptotics.sweeps.run import sweep
     from asymptotics.tables.names import table_names
+    from asymptotics.turning.result import TurningPoints
 
 __version__ = "0.1.0"
 
@@ -83,7 +83,6 @@ _HOMES = {
     "curves.solution": ("solution",),
     "curves.waves": ("waveforms",),
     "ask.questions.turning_points": ("turning_points",),
-    "curves.turning_points": ("OscillatorTurningPoints",),
     "bounds.remainder": ("remainder",),
     "expansions.equations.build": ("expand",),
     "expansions.equations.result": ("Equations",),
@@ -98,7 +97,9 @@ _HOMES = {
     "papers.lookup": ("paper", "statements"),
     "papers.statement": ("PaperStatement",),
     "sweeps.run": ("sweep",),
+    "turning.result": ("TurningPoints",),
 }
+_RENAMED = {"OscillatorTurningPoints": "TurningPoints", "cut_short": "running.cut_short", "budget": "running.budget"}
 _HOME = {name: module for module, names in _HOMES.items() for name in names}
 
 __all__ = [
@@ -117,12 +118,12 @@ __all__ = [
     "LimitError",
     "Motion",
     "Oscillator",
-    "OscillatorTurningPoints",
     "PaperStatement",
     "PhysicalLaw",
     "Reference",
     "S",
     "T",
+    "TurningPoints",
     "UndecidedError",
     "any_start",
     "compare",
@@ -163,7 +164,8 @@ def __getattr__(name: str) -> Any:
     if name == "testing":  # the one room that is public as it is
         return import_module("asymptotics.testing")
     if name not in _HOME:
-        raise AttributeError(f"module 'asymptotics' has no attribute {name!r}")
+        now = f": it is asymptotics.{_RENAMED[name]} now" if name in _RENAMED else ""
+        raise AttributeError(f"module 'asymptotics' has no attribute {name!r}{now}")
     value = getattr(import_module(f"asymptotics.{_HOME[name]}"), name)
     globals()[name] = value
     return value
