@@ -34,6 +34,7 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "terms",
     "law",
     "law_given",
+    "frames",
     "expansions",
     "expansions.half_swings",
     "expansions.divergence",
