@@ -32,7 +32,7 @@ class Turned(Protocol):
 
 def turning_claim(point: Turned, digits: int) -> Claim:
     """The place of a turning point, and its time if it was printed (tau, or t in s)."""
-    time = getattr(point, "tau", None) or getattr(point, "t", None)
+    time = point.time
     return {"kind": "turning point", "number": point.n, "digits": digits, "x": point.x, "t": time}
 
 
