@@ -29,6 +29,10 @@ class Turned(Protocol):
     def x(self) -> str:
         """Its place."""
 
+    @property
+    def time(self) -> str | None:
+        """Its time, where it was asked for."""
+
 
 def turning_claim(point: Turned, digits: int) -> Claim:
     """The place of a turning point, and its time if it was printed (tau, or t in s)."""
