@@ -19,7 +19,7 @@ from typing import Any
 
 from asymptotics.budget import DEFAULT_SECONDS, budget
 from asymptotics.certificates.claims import Claim, error_allowed, exact_time, last_number
-from asymptotics.certificates.equation import Equation
+from asymptotics.certificates.equation import Equation, place_is_exact
 from asymptotics.certificates.known import Known, known_before, known_turning_points
 from asymptotics.certificates.layout import Landing, Plan, swing
 from asymptotics.errors import InputError, LimitError
@@ -110,11 +110,9 @@ def certificate(
 def _require_bounds_enough(equation: Equation, claims: Sequence[Claim]) -> None:
     """InputError where a place is printed on the very edge of what friction holds, or at 0: no bound tells that."""
     for claim in claims:
-        if claim["kind"] == "turning point" and claim["number"] > 0 and claim["x"] is not None:
-            place = equation.stiffness * abs(Fraction(claim["x"]))
-            if place in (0, equation.friction):
-                where = f"turning point {claim['number']} is exactly where friction just holds the mass, or at 0"
-                raise InputError("certificate", f"{where}: a bound proves no exact place", "another start or strength")
+        if claim["kind"] == "turning point" and claim["number"] > 0 and place_is_exact(equation, claim["x"]):
+            where = f"turning point {claim['number']} is exactly where friction just holds the mass, or at 0"
+            raise InputError("certificate", f"{where}: a bound proves no exact place", "another start or strength")
 
 
 def _known(oscillator: Oscillator, equation: Equation, claims: Sequence[Claim], allowed: float) -> Known:

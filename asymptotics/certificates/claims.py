@@ -55,7 +55,8 @@ def error_allowed(claims: Iterable[Claim], stiffness: float) -> float:
                 continue
             unit = (Decimal(claim[name]).adjusted() - claim["digits"] + 1) * _LOG2_10
             # A turning point is as early or late as the error over the acceleration.
-            late = log2(stiffness * abs(float(claim["x"]))) if name == "t" and float(claim["x"]) else 0.0
+            place = 0.0 if name != "t" or claim["x"] is None else float(claim["x"])
+            late = log2(stiffness * abs(place)) if place else 0.0
             sizes.append(unit + min(0.0, late))
     return min(sizes) - _SHARE
 

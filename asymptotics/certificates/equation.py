@@ -68,6 +68,11 @@ class Equation:
         return self.stiffness * abs(place) <= self.friction
 
 
+def place_is_exact(equation: Equation, place: str | None) -> bool:
+    """Whether a printed place is 0, or on the very edge of what friction holds: no bound tells that."""
+    return place is not None and equation.stiffness * abs(Fraction(place)) in (0, equation.friction)
+
+
 def _rational(value: ExactReal, name: str) -> Fraction:
     if not value.is_rational:
         raise InputError("certificate", f"{name} {value} is not rational, and no polynomial ends exactly", SERVED)
