@@ -19,15 +19,19 @@ from typing import Any
 
 from asymptotics.budget import DEFAULT_SECONDS, budget
 from asymptotics.certificates.claims import Claim, error_allowed, exact_time, last_number
-from asymptotics.certificates.equation import Equation, place_is_exact
+from asymptotics.certificates.equation import Equation
 from asymptotics.certificates.known import Known, known_before, known_turning_points
 from asymptotics.certificates.layout import Landing, Plan, swing
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
+from asymptotics.present.files import target_file, write_all
+from asymptotics.present.shown import Page, Shown
+from asymptotics.testing import check_certificate
 from asymptotics.testing.check_certificate import FORMAT, RefusedError, check
 
+CHECKER = Path(check_certificate.__file__)
 _NOISE = 26  # bits that the second derivatives of rounded coefficients lose, about
 _SPARE = 64  # bits more in the series than in the coefficients
 _DEGREE = 0.45  # powers of the time for a bit of the error allowed: a choice
@@ -36,14 +40,14 @@ MOST_TOGETHER = 1000
 """Equations in one file: what the checker takes."""
 
 
-@dataclass(frozen=True)
-class Certificate:
+@dataclass(frozen=True, repr=False)
+class Certificate(Shown):
     """What is in a certificate's file, and what the checker says: equations with their starts, a line for each claim.
 
     ``content``: an object for each equation; ``left``: what was printed beside and is not claimed, with the reason.
     """
 
-    content: tuple[dict[str, Any], ...] = field(repr=False)
+    content: tuple[dict[str, Any], ...] = field(hash=False)
     proved: tuple[str, ...]
     left: tuple[str, ...] = ()
 
@@ -60,8 +64,19 @@ class Certificate:
         return self.content[0] if len(self.content) == 1 else list(self.content)
 
     def save(self, path: str | Path) -> None:
-        """Write the file, to be checked by ``python check_certificate.py FILE``."""
-        Path(path).write_text(self.to_json() + "\n", encoding="utf-8")
+        """Write the file, and ``check_certificate.py`` beside it: ``python check_certificate.py FILE`` proves it."""
+        file = target_file(str(path), "path")
+        write_all(
+            {file: self.to_json() + "\n", file.with_name(CHECKER.name): CHECKER.read_text(encoding="utf-8")}, "path"
+        )
+
+    def _page(self) -> Page:
+        claims = sum(len(each["claims"]) for each in self.content)
+        left = tuple(f"not in it: {line}" for line in self.left)
+        title = (
+            f"a certificate of {claims} claims, {len(self.to_json()) / 1000:.0f} kB: check_certificate.py accepts it"
+        )
+        return Page(title, left, ("proved",), tuple((line,) for line in self.proved))
 
 
 def together(made: Sequence[Certificate], left: Iterable[str] = ()) -> Certificate:
@@ -72,7 +87,7 @@ def together(made: Sequence[Certificate], left: Iterable[str] = ()) -> Certifica
         ...
     asymptotics.errors.InputError: argument certificate: the law 1:sqrt(2): its strength is not rational ...
     """
-    reasons = tuple(left)
+    reasons = (*(line for one in made for line in one.left), *left)
     if not made:
         reason = "; ".join(reasons) or "nothing in it is a turning point, a time or a state"
         raise InputError("certificate", reason, "certified turning points and states at times")
@@ -91,7 +106,7 @@ def certificate(
     reason where no precision tried makes it accept.
     """
     equation = Equation.read(oscillator)
-    _require_bounds_enough(equation, claims)
+    claims, left = _that_bounds_tell(equation, claims)
     with budget(max_seconds):
         allowed = error_allowed(claims, float(equation.stiffness))
         known = _known(oscillator, equation, claims, allowed)
@@ -99,7 +114,7 @@ def certificate(
         def attempt(bits: int) -> Certificate:
             content = _content(oscillator, equation, known, claims, bits)
             try:
-                return Certificate((content,), tuple(check(content)))
+                return Certificate((content,), tuple(check(content)), tuple(left))
             except RefusedError as reason:
                 raise TooWideError(f"the checker refuses: {reason}", lacking=32) from None
 
@@ -107,12 +122,19 @@ def certificate(
         return at_growing_precision(attempt, max(1, int(-allowed / _LOG2_10)), bits, max_bits=2 * bits + 300)
 
 
-def _require_bounds_enough(equation: Equation, claims: Sequence[Claim]) -> None:
-    """InputError where a place is printed on the very edge of what friction holds, or at 0: no bound tells that."""
+def _that_bounds_tell(equation: Equation, claims: Sequence[Claim]) -> tuple[list[Claim], list[str]]:
+    """The claims without places that are 0 and stops on the very edge of what friction holds, and these in words."""
+    kept, left = list[Claim](), list[str]()
     for claim in claims:
-        if claim["kind"] == "turning point" and claim["number"] > 0 and place_is_exact(equation, claim["x"]):
-            where = f"turning point {claim['number']} is exactly where friction just holds the mass, or at 0"
-            raise InputError("certificate", f"{where}: a bound proves no exact place", "another start or strength")
+        place = equation.exact_place(claim["number"]) if claim.get("number", 0) > 0 else None
+        if claim["kind"] == "turning point" and place == 0:
+            left.append(f"turning point {claim['number']}: x = 0 exactly, which no bound tells")
+            claim = {**claim, "x": None}
+        if claim["kind"] == "rest" and place is not None and equation.stiffness * abs(place) == equation.friction:
+            left.append(f"turning point {claim['number']}: friction just holds the mass there, which no bound tells")
+            continue
+        kept.append(claim)
+    return kept, left
 
 
 def _known(oscillator: Oscillator, equation: Equation, claims: Sequence[Claim], allowed: float) -> Known:

@@ -41,7 +41,7 @@ def rest_claim(number: int) -> Claim:
     return {"kind": "rest", "number": number}
 
 
-def state_claim(t: Fraction, x: str, v: str, digits: int) -> Claim:
+def state_claim(t: Fraction, x: str | None, v: str | None, digits: int) -> Claim:
     """The state at an exact time since the start."""
     return {"kind": "state", "digits": digits, "t": str(t), "x": x, "v": v}
 

@@ -63,14 +63,16 @@ class Equation:
         """What dry friction holds: the strengths of the exponent 0 together."""
         return sum((e for a, e in self.terms if a == 0), Fraction(0))
 
+    def exact_place(self, number: int) -> Fraction | None:
+        """The place of a turning point where rational arithmetic has it: under dry friction alone, from rest."""
+        if self.v0 != 0 or any(a != 0 for a, _ in self.terms):
+            return None
+        size = abs(self.x0) - 2 * number * self.friction / self.stiffness
+        return size * (-1) ** number * (1 if self.x0 > 0 else -1)
+
     def holds(self, place: Fraction) -> bool:
         """Whether a mass at rest there stays."""
         return self.stiffness * abs(place) <= self.friction
-
-
-def place_is_exact(equation: Equation, place: str | None) -> bool:
-    """Whether a printed place is 0, or on the very edge of what friction holds: no bound tells that."""
-    return place is not None and equation.stiffness * abs(Fraction(place)) in (0, equation.friction)
 
 
 def _rational(value: ExactReal, name: str) -> Fraction:

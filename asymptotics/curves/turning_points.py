@@ -7,11 +7,13 @@
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from flint import arb
 
+from asymptotics.certificates.certificate import Certificate
+from asymptotics.certificates.of_results import of_turning_points
 from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
@@ -21,10 +23,12 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, bits_for, decimal_of, decimal_of_ball
 from asymptotics.numbers.digits import ball_of, spread
 from asymptotics.numbers.exact import ExactReal, square_root
+from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.value import Coefficient, number_of
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows, Shown
+from asymptotics.public import public
 from asymptotics.turning import choose
 from asymptotics.turning.result import Sequenced, TurningPoints, draw_sizes
 from asymptotics.turning.table import MAX_DIGITS
@@ -69,6 +73,26 @@ class OscillatorTurningPoint(Shown):
 
 
 @dataclass(frozen=True, repr=False)
+class LawTurningPoints(TurningPoints):
+    """Turning points without units, and the motion that they are of: ``oscillator``, with m = k = 1."""
+
+    oscillator: Oscillator = field(kw_only=True)
+
+    @classmethod
+    def of(cls, oscillator: Oscillator, found: TurningPoints) -> "LawTurningPoints":
+        """The same points, of this oscillator."""
+        return cls(**{f.name: getattr(found, f.name) for f in fields(found) if f.init}, oscillator=oscillator)
+
+    @public
+    def certificate(self, *, max_seconds: Number = 60) -> Certificate:
+        """A file from which ``check_certificate.py``, a page of standard Python, proves every digit.
+
+        InputError for what has none: springs, losses that know the place, irrational numbers, estimates.
+        """
+        return of_turning_points(self.oscillator, self)
+
+
+@dataclass(frozen=True, repr=False)
 class OscillatorTurningPoints(Sequenced, Rows, Drawn):
     """Turning points in SI units; ``dimensionless`` is the result they come from, and says how they were obtained."""
 
@@ -96,6 +120,14 @@ class OscillatorTurningPoints(Sequenced, Rows, Drawn):
     def ended(self) -> dict[str, Any] | None:
         """Where and why the sequence ends, or None."""
         return self.dimensionless.ended
+
+    @public
+    def certificate(self, *, max_seconds: Number = 60) -> Certificate:
+        """A file from which ``check_certificate.py``, a page of standard Python, proves every digit, in m and s.
+
+        InputError for what has none: springs, losses that know the place, irrational numbers, estimates.
+        """
+        return of_turning_points(self.oscillator, self)
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: numbers are strings."""

@@ -6,12 +6,11 @@
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from asymptotics.budget import DEFAULT_SECONDS, seconds_left
 from asymptotics.certificates.certificate import Certificate, together
 from asymptotics.certificates.claims import Claim, rest_claim
-from asymptotics.certificates.equation import Equation, place_is_exact
 from asymptotics.certificates.of_results import of_claims
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
@@ -50,23 +49,13 @@ def of_rows(
     made = []
     for each in claimed.values():
         try:
-            claims = list(_without_exact_places(each, left))
-            made.append(of_claims(each.oscillator, claims, max_seconds=min(max_seconds, seconds_left())))
+            one = of_claims(each.oscillator, each.claims, max_seconds=min(max_seconds, seconds_left()))
+            made.append(replace(one, left=tuple(f"{each.name}: {line}" for line in one.left)))
         except InputError as refused:
             if refused.argument != "certificate":
                 raise
             left.append(f"{each.name}: {refused.reason}")
     return together(made, [*left, *LEFT.get(name, ())])
-
-
-def _without_exact_places(each: Claimed, left: list[str]) -> Iterator[Claim]:
-    """The claims; a place that is 0 or on the edge of what friction holds is exact, and no bound proves it."""
-    equation = Equation.read(each.oscillator)
-    for claim in each.claims:
-        if claim["kind"] == "turning point" and claim["number"] > 0 and place_is_exact(equation, claim["x"]):
-            left.append(f"{each.name}: x = {claim['x']} of turning point {claim['number']} is exact, not a bound")
-            claim = {**claim, "x": None}
-        yield claim
 
 
 def _turning_points(row: Row, digits: int) -> Iterator[tuple[str, Oscillator, Claim]]:

@@ -58,6 +58,8 @@ SAMPLES = {
     "api.slow_series.EnvelopeSeries": "asy.envelope({2: '1/10'}).series(3)",
     "api.slowness.SlowPart": "asy.envelope(osc).slow('1/50')",
     "api.solution.Solution": "asy.solution({2: '1/10'}, order=3)",
+    "certificates.certificate.Certificate": "points.certificate()",
+    "curves.turning_points.LawTurningPoints": "asy.turning_points({2: 1}, 3, digits=12, times=True)",
     "curves.turning_points.OscillatorTurningPoints": "points",
     "curves.turning_points.OscillatorTurningPoint": "points.points[1]",
     "api.waves.Waveforms": "asy.waveforms('3/2', order=3)",
@@ -105,7 +107,7 @@ SAMPLES = {
     "tables.table.Table": "asy.table('smith2012.table1', digits=9)",
     "terms.Term": "osc.law.terms[0]",
     "turning.result.TurningPoint": "asy.turning_points({2: 1}, 3, digits=12, times=True).points[1]",
-    "turning.result.TurningPoints": "asy.turning_points({2: 1}, 3, digits=12, times=True)",
+    "turning.result.TurningPoints": "points.dimensionless",
 }
 
 

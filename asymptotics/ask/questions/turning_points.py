@@ -8,14 +8,15 @@ from asymptotics.ask.kinds import FLAG, SECONDS, TEXT, digits, whole
 from asymptotics.ask.laws import MOVES
 from asymptotics.ask.moving import Given
 from asymptotics.ask.question import question
-from asymptotics.certificates.of_results import of_turning_points
 from asymptotics.curves.turning_points import (
+    LawTurningPoints,
     OscillatorTurningPoints,
     dimensionless,
     turning_points_in_units,
     with_notes,
     without_units,
 )
+from asymptotics.cut_short import changed
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.numbers.policy import Number
@@ -25,7 +26,7 @@ from asymptotics.turning.choose import offers
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START
 
-Found = TurningPoints | OscillatorTurningPoints
+Found = LawTurningPoints | OscillatorTurningPoints
 
 
 @dataclass(frozen=True)
@@ -96,8 +97,7 @@ def _missing(found: Found, request: Request) -> tuple[int, str]:
 def _certificate(found: Any, request: Request) -> Any:
     if isinstance(found, Routes):
         raise InputError("--certificate", "a list of routes has no digits", "a certificate of turning points")
-    moving = cast("Given", request["law"])
-    return of_turning_points(moving.oscillator, found)
+    return found.certificate()
 
 
 @question(
@@ -200,12 +200,17 @@ def _points(moving: Given, count: int, **rest: Any) -> Found:
     oscillator = moving.oscillator
     if moving.si:
         return turning_points_in_units(oscillator, count, **rest)
+
     # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths epsilon_i x0^(alpha_i-1),
     # and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
-    if oscillator.law.is_pure and oscillator.v0.is_zero and oscillator.x0 != 1:
-        return without_units(oscillator, count, **rest)
-    law, kick = _bare(oscillator)
-    return with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick)
+    def of_law(found: TurningPoints) -> LawTurningPoints:
+        return LawTurningPoints.of(oscillator, found)
+
+    with changed(of_law):
+        if oscillator.law.is_pure and oscillator.v0.is_zero and oscillator.x0 != 1:
+            return of_law(without_units(oscillator, count, **rest))
+        law, kick = _bare(oscillator)
+        return of_law(with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick))
 
 
 def _bare(oscillator: Oscillator) -> tuple[Law, dict[str, Any]]:
