@@ -179,7 +179,7 @@ def test_the_results_themselves_have_certificates():
     ):
         claims = found.certificate().content[0]["claims"]
         assert [(c["number"], c["x"], c["t"]) for c in claims] == [
-            (p.n, p.x, getattr(p, "tau", None) or getattr(p, "t", None)) for p in found.points
+            (p.n, p.x, p.time) for p in found.points
         ]
     drag = asy.reference({2: "1/10"})
     claims = drag.certificate(["1/2", 2], digits=9).content[0]["claims"]
