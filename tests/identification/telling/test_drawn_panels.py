@@ -73,8 +73,9 @@ def first_of(fit):
 
 def test_the_decay_has_its_points_and_an_envelope_about_the_rest_position(axes, pair):
     fit, run = pair[0].fit, seen()
+    axes.plot([], [])
     plots._decay(axes, pair[0], "mm")
-    upper, lower, points = axes.lines
+    _, upper, lower, points = axes.lines
     size = linear(fit, np.arange(13))
     assert abs(fit.rest - OFFSET) < 2e-3
     for each, sign in ((upper, 1), (lower, -1)):
@@ -111,6 +112,7 @@ def test_decrements_are_those_of_neighbours_about_the_rest_position(axes, pair):
 
 
 def test_each_law_has_its_colour_and_its_band_and_the_first_lies_in_front(axes, pair):
+    axes.plot([], [])
     plots.draw_decrements(axes, pair, "")
     assert names(axes) == ["measured", "1", "1+2"]
     curves = [line(axes, "1"), line(axes, "1+2")]
@@ -206,6 +208,7 @@ def test_residuals_of_samples_stand_at_their_times(axes):
 
 def test_profiles_rise_to_the_height_at_which_the_printed_intervals_end(axes, pair):
     law = pair[1]
+    axes.plot([], [])  # the colours are those of the losses, whatever was drawn before
     plots._profile(axes, law)
     curves = [line(axes, f"strength of {name}") for name in ("1", "2")]
     height = quantile(law.fit, 0.95, "x") ** 2
