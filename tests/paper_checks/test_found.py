@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.papers import derived, documented, lookup
 from asymptotics.papers.derived import derivations
@@ -14,6 +13,7 @@ from asymptotics.papers.documented import documentation
 from asymptotics.papers.everything import look_up
 from asymptotics.papers.lookup import statements
 from asymptotics.papers.search import ranked
+from asymptotics.shell.main import main
 from paper_checks.data import DOCS
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
