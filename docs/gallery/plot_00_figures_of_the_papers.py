@@ -14,8 +14,8 @@ import asymptotics as asy
 
 # %%
 # **Lancaster 2020, Fig. 2**: :math:`\alpha = 3/2` and :math:`\kappa \approx 0.19`, the motion and
-# :math:`A(t)\cos\omega_0 t` with the averaged amplitude (13).  Time is in units of :math:`1/\omega_0`, :math:`x` in those
-# of :math:`x_0`; :math:`\varepsilon = \kappa/M_{5/2}`.
+# :math:`A(t)\cos\omega_0 t` with the averaged amplitude (13).  Time is in units of :math:`1/\omega_0`,
+# :math:`x` in those of :math:`x_0`; :math:`\varepsilon = \kappa/M_{5/2}`.
 
 epsilon = f"{0.19 / float(asy.moment('5/2')):.6f}"
 law = asy.Law({"3/2": epsilon})
