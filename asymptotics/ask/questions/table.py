@@ -137,6 +137,7 @@ def _missing(table: Table, _: Request) -> tuple[int, str]:
         failed=lambda table, request: request.typed("validate") is not None and not table.validate().equal,
         instead=_list,
         show=_show,
+        certificate=lambda table, _: table.certificate(),
         missing=_missing,
         lacks={"gauge": "a table says in its title which gauge it is in", "points": "`--rows` says how many"},
     )
