@@ -75,7 +75,7 @@ def _show(request: Request) -> Callable[[Table], tuple[dict[str, Any], str]]:
 
     def show(table: Table) -> tuple[dict[str, Any], str]:
         validation = table.validate() if request.typed("validate") is not None else None
-        told = "" if validation is None else f"\n{validation}"
+        told = "" if validation is None else f"\n{validation.beside()}\n{validation}"
         more = {} if validation is None else {"validation": validation.to_dict()}
         if target is None:
             return table.to_dict() | more, _printed(table, form) + told
