@@ -7,9 +7,9 @@ import pytest
 from scipy.stats import norm
 from scipy.stats import t as student
 
-from asymptotics.identification.fitting import profile
-from asymptotics.identification.fitting.directions import Directions
-from asymptotics.identification.fitting.profile import (
+from asymptotics.decays.identification.fitting import profile
+from asymptotics.decays.identification.fitting.directions import Directions
+from asymptotics.decays.identification.fitting.profile import (
     Interval,
     coordinate,
     profile_curve,
@@ -17,7 +17,7 @@ from asymptotics.identification.fitting.profile import (
     quantile,
     wald_interval,
 )
-from asymptotics.identification.forward.quadrature import TooStrongError
+from asymptotics.decays.identification.forward.quadrature import TooStrongError
 
 J = np.array([[1.0, 0.0], [1.0, 1.0], [1.0, 2.0], [1.0, 4.0]])
 DATA = np.array([0.1, 1.2, 1.9, 4.3])

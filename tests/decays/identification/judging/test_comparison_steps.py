@@ -5,13 +5,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asymptotics.identification.fitting.in_time import ALL, Time
-from asymptotics.identification.forward.candidates import read_candidate as read
-from asymptotics.identification.judging import comparison
-from asymptotics.identification.judging.comparison import fit_laws
-from asymptotics.identification.judging.laws import UNTRIED, Fitted
-from asymptotics.identification.judging.single_fits import fit_law
-from asymptotics.identification.synthetic import observed
+from asymptotics.decays.identification.fitting.in_time import ALL, Time
+from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.judging import comparison
+from asymptotics.decays.identification.judging.comparison import fit_laws
+from asymptotics.decays.identification.judging.laws import UNTRIED, Fitted
+from asymptotics.decays.identification.judging.single_fits import fit_law
+from asymptotics.decays.identification.synthetic import observed
 
 
 def fitted(text, likelihood=0.0, aicc=0.0, *, converged=True, **more):

@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_hex
 
+from asymptotics.decays.identification.fitting.profile import Interval, quantile
+from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.judging.grades import Unexplained
+from asymptotics.decays.identification.judging.judgement import judged
+from asymptotics.decays.identification.judging.laws import Evidence
+from asymptotics.decays.identification.judging.single_fits import fit_law
+from asymptotics.decays.identification.measuring.observations import Samples
+from asymptotics.decays.identification.synthetic import observed
+from asymptotics.decays.identification.telling import plots
 from asymptotics.errors import InputError
-from asymptotics.identification.fitting.profile import Interval, quantile
-from asymptotics.identification.forward.candidates import read_candidate as read
-from asymptotics.identification.judging.grades import Unexplained
-from asymptotics.identification.judging.judgement import judged
-from asymptotics.identification.judging.laws import Evidence
-from asymptotics.identification.judging.single_fits import fit_law
-from asymptotics.identification.measuring.observations import Samples
-from asymptotics.identification.synthetic import observed
-from asymptotics.identification.telling import plots
-from tests.identification import small_laws
+from tests.decays.identification import small_laws
 
 OFFSET, FIRST = 0.1, 1.3
 
