@@ -17,16 +17,16 @@ import numpy as np
 from asymptotics.budget import tick
 from asymptotics.errors import InputError, require_flag, shown
 from asymptotics.identification.fitting.correlation import block_length
-from asymptotics.identification.fitting.in_time import Time
 from asymptotics.identification.fitting.least_squares import Noise
 from asymptotics.identification.fitting.printed import Decrements
 from asymptotics.identification.fitting.profile import coordinate, wald_interval
 from asymptotics.identification.forward.candidates import Candidate, default_candidates, read_candidate
+from asymptotics.identification.forward.work import SECONDS, Work
 from asymptotics.identification.judging.adequacy import Levels, noise_levels
 from asymptotics.identification.judging.amplitudes import relieved, spring_bound, widened
 from asymptotics.identification.judging.comparison import fit_laws
 from asymptotics.identification.judging.judgement import judged, minimal, relabelled
-from asymptotics.identification.judging.laws import Fitted, Judged
+from asymptotics.identification.judging.laws import LIMIT, Fitted, Judged
 from asymptotics.identification.judging.prediction import predicted_error
 from asymptotics.identification.judging.single_fits import fit_decrements
 from asymptotics.identification.measuring.defects import is_constant, is_growing
@@ -44,7 +44,7 @@ from asymptotics.records.units import ANGLES, GRAVITY, UNITS
 from asymptotics.terms import terms_of
 
 MAX_RUNS = 50
-"""A limit of the time, of which each run has its share: of a minute that is a second for each of fifty."""
+"""Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
 
 
 @public
@@ -62,7 +62,7 @@ def identify(
     omega_0: float | None = None,
     noise: float | None = None,
     bootstrap: bool = True,
-    max_seconds: Number = 60,
+    max_seconds: Number = SECONDS,
     columns: str | None = None,
     decimal: str | None = None,
     skip: int = 0,
@@ -82,7 +82,7 @@ def identify(
     ``amplitudes_only``: times are not used; intervals are widened by what an unseen spring could do.
     ``mass`` (kg), ``stiffness`` (N/m), ``omega_0`` (rad/s): whatever is known; b or b/m is given as far as it can be.
     ``noise``: the standard deviation of x, if it is known; ``bootstrap``: lengthen the intervals of correlated
-    residuals.
+    residuals.  ``max_seconds``: a limit; what is judged until then is a matter of counted work, not of the clock.
 
     epsilon_i refers to x0 = 1 unit of the data: x'' + x + sum epsilon_i x'|x'|^(alpha_i - 1) = 0 in the time omega_0 t.
     InputError for data that cannot be used, naming the row and the column.
@@ -110,8 +110,8 @@ def identify(
     answers = []
     for place, run in enumerate(runs):
         # What a run leaves of its share falls to those after it.
-        time = Time.but_for_the_answer(1 / (len(runs) - place))
-        answers.append(_one_run(run, candidates, known, amplitudes_only, scale, bootstrap, time))
+        work = Work.of_a_verdict(1 / (len(runs) - place))
+        answers.append(_one_run(run, candidates, known, amplitudes_only, scale, bootstrap, work))
     return answers[0] if len(answers) == 1 else _together(answers, known)
 
 
@@ -158,7 +158,7 @@ def _one_run(
     amplitudes_only: bool,
     noise: Noise | None,
     bootstrap: bool,
-    time: Time,
+    work: Work,
 ) -> Identification:
     if isinstance(run, Decrements):
         return _decrements(run, candidates, units, noise)
@@ -174,7 +174,7 @@ def _one_run(
         simple = [c for c in candidates if len(c.elements) == 1 and not c.free]
         fits = [Fitted(c, None, reason) for c in candidates if c not in simple]
         candidates = simple
-    fits = fit_laws(candidates, seen, noise, time) + fits
+    fits = fit_laws(candidates, seen, noise, work) + fits
     if not seen.has_times:
         unknown = "amplitudes cannot tell a nonlinear spring from position-dependent loss, nor measure either"
         notes.append(unknown + ("" if amplitudes_only else "; intervals and verdicts hold for a linear spring"))
@@ -185,19 +185,19 @@ def _one_run(
         # Before the verdicts: what an unseen spring would explain refutes no law; after them its intervals are widened.
         fits = [relieved(law, bound) for law in fits]
     # In this order: fits, verdicts and intervals, the verdict in words, the error of prediction, textbook estimators;
-    # what the time does not suffice for is left out from the end.
-    laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap, time=time)
+    # what the limit of work or time leaves is left out from the end.
+    laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap, work=work)
     if bound is not None:
         laws = relabelled([widened(law, bound) for law in laws], growing)
-    # The advice fits again; where the time is not enough, the verdict is the same without it.
-    verdict = time.within(partial(verdict_of, laws, seen, growing), verdict_of(laws, seen, growing, advice=False))
+    # The advice fits again; where the limit is reached, the verdict is the same without it.
+    verdict = work.within(partial(verdict_of, laws, seen, growing), verdict_of(laws, seen, growing, advice=False))
     notes += [*_untried(laws), *_lengths(laws), *_memory(laws)]
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
     # Each held-out error is a fit more: for the laws of the verdict only.
     chosen = {law.candidate for law in minimal(laws)[:4]}
     laws = [
-        law.with_evidence(held_out=time.within(partial(predicted_error, law.fitted, seen), None))
+        law.with_evidence(held_out=work.within(partial(predicted_error, law.fitted, seen), None))
         if law.candidate in chosen
         else law
         for law in laws
@@ -206,14 +206,15 @@ def _one_run(
     odd = [law for law in laws if law.negative and law.verdict == "consistent" and not law.unneeded and not growing]
     notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative: unphysical" for law in odd[:3]]
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
-    textbook: dict[str, Any] = time.within(lambda: textbook_estimates(seen), {})
+    textbook: dict[str, Any] = work.within(lambda: textbook_estimates(seen), {})
     return Identification(verdict, answers, (run,), textbook, tuple(notes), units)
 
 
 def _untried(laws: Sequence[Judged]) -> list[str]:
-    """What the time did not suffice for."""
+    """What the limit of work or time left."""
     left = [str(law.candidate) for law in laws if law.untried]
-    return [f"the time was over before {len(left)} of {len(laws)} laws were judged: {'; '.join(left)}"] if left else []
+    said = f"{LIMIT} was reached before {len(left)} of {len(laws)} laws were judged"
+    return [f"{said}: {'; '.join(left)}"] if left else []
 
 
 def _lengths(laws: Sequence[Judged]) -> list[str]:

@@ -83,7 +83,10 @@ def test_the_best_of_the_pendulums_is_told(monkeypatch, by_criterion):
 
 def test_what_the_time_did_not_suffice_for_is_counted_and_named():
     laws = [law("1"), law("2", missed=UNTRIED), law("1+2", missed=UNTRIED)]
-    assert _untried(laws) == ["the time was over before 2 of 3 laws were judged: 2; 1+2"] and _untried(laws[:1]) == []
+    assert (
+        _untried(laws) == ["the limit of work or time was reached before 2 of 3 laws were judged: 2; 1+2"]
+        and _untried(laws[:1]) == []
+    )
 
 
 def test_the_memory_of_residuals_is_told_of_consistent_laws_only(monkeypatch):

@@ -14,9 +14,9 @@ import numpy as np
 
 from asymptotics.budget import tick
 from asymptotics.identification.fitting.correlation import is_correlated, replicas, stretch
-from asymptotics.identification.fitting.in_time import ALL, Time
 from asymptotics.identification.fitting.least_squares import Fit
 from asymptotics.identification.fitting.profile import Interval, profile_interval, wald_interval
+from asymptotics.identification.forward.work import ALL, Work
 from asymptotics.identification.judging.adequacy import Levels, adequate
 from asymptotics.identification.judging.contradiction import REFUTED, Contradiction, contradiction, further_parameters
 from asymptotics.identification.judging.grades import unexplained
@@ -34,10 +34,10 @@ between the level of an interval and that of a refutation; such a law is named b
 
 
 def judged(
-    fits: Sequence[Fitted], levels: Levels, *, growing: bool = False, bootstrap: bool = False, time: Time = ALL
+    fits: Sequence[Fitted], levels: Levels, *, growing: bool = False, bootstrap: bool = False, work: Work = ALL
 ) -> list[Judged]:
     """Verdicts and intervals: by profile likelihood for the laws that matter (or all, if few), else by curvature, as
-    where the time is over."""
+    where the limit of work or time is reached."""
     found = [_measured(law, levels, bootstrap) for law in fits]
     least = min((law.criterion for law in found), default=float("inf"))
     found = [replace(law, excess=law.criterion - least) if law.usable else law for law in found]
@@ -52,7 +52,7 @@ def judged(
         tick(f"the intervals of the law {candidate}")
         law = profiled[candidate]
         cut_off = replace(law, fitted=replace(law.fitted, reason=UNTRIED))
-        profiled[candidate] = time.within(partial(_profiled, law), cut_off)
+        profiled[candidate] = work.within(partial(_profiled, law), cut_off)
     # A profile may hold 0, or exclude it, where the curvature did not: the verdicts are made again.
     return relabelled([profiled[law.candidate] for law in rough], growing)
 

@@ -23,7 +23,7 @@ from asymptotics.identification.fitting.profile import Interval
 from asymptotics.identification.judging.allowance import WEAK, allowances, told
 from asymptotics.identification.judging.contradiction import REFUTED, Contradiction
 from asymptotics.identification.judging.judgement import against, commented, is_negative, minimal
-from asymptotics.identification.judging.laws import Fitted, Intervals, Judged
+from asymptotics.identification.judging.laws import LIMIT, Fitted, Intervals, Judged
 from asymptotics.identification.telling.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNDECIDED, UNTOLD, Verdict
 
 _ALIKE = 0.05
@@ -127,7 +127,7 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[Judged], first: floa
     best = f"; best: {names}" if names else ""
     cut = sum(v.kind == UNDECIDED for v in runs)
     if cut:
-        text = f"{UNDECIDED}: the time was over before all laws were judged in {cut} of {len(runs)} runs{best}"
+        text = f"{UNDECIDED}: {LIMIT} was reached before all laws were judged in {cut} of {len(runs)} runs{best}"
         return Verdict(UNDECIDED, text, "more time (max_seconds), or fewer candidates (laws)")
     inadequate = sum(v.kind == NONE for v in runs)
     if inadequate:

@@ -11,7 +11,7 @@ from asymptotics.identification.judging.allowance import WEAK, Allowance, allowa
 from asymptotics.identification.judging.contradiction import REFUTED
 from asymptotics.identification.judging.grades import percent
 from asymptotics.identification.judging.judgement import minimal, rivals
-from asymptotics.identification.judging.laws import Judged
+from asymptotics.identification.judging.laws import LIMIT, Judged
 from asymptotics.identification.judging.single_fits import fit_law
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.present.shown import Page, Shown
@@ -51,12 +51,12 @@ def verdict_of(
 
 
 def undecided(laws: Sequence[Judged]) -> Verdict | None:
-    """The verdict where the time was over before all laws were judged: none of them is identified."""
+    """The verdict where the limit was reached before all laws were judged: none of them is identified."""
     left = sum(law.untried for law in laws)
     if not left:
         return None
     names = "; ".join(named(law) for law in minimal(laws)[:6]) or "none"
-    text = f"{UNDECIDED}: the time was over before {left} of {len(laws)} laws were judged; consistent so far: {names}"
+    text = f"{UNDECIDED}: {LIMIT} was reached before {left} of {len(laws)} laws were judged; consistent so far: {names}"
     return Verdict(UNDECIDED, text, "more time (max_seconds), or fewer candidates (laws)")
 
 

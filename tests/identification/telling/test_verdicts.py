@@ -128,7 +128,7 @@ def test_while_a_law_is_untried_none_is_identified(judged):
     """Whatever stands so far: the verdict says how many are left, and which laws stand among the others."""
     one, more = law("1"), law("2", missed=UNTRIED, verdict="undetermined")
     judged.chosen = [one]
-    said = f"{UNDECIDED}: the time was over before 1 of 2 laws were judged; consistent so far: "
+    said = f"{UNDECIDED}: the limit of work or time was reached before 1 of 2 laws were judged; consistent so far: "
     assert verdict([one, more]) == (UNDECIDED, f"{said}1")
     assert verdict([law("1", verdict="refuted"), more]) == (UNDECIDED, f"{said}none")
     assert verdict([one, law("2", missed="too few data", verdict="undetermined")])[0] == IDENTIFIED
