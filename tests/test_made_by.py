@@ -14,7 +14,7 @@ import pytest
 
 import asymptotics as asy
 import asymptotics.made_by as module
-from asymptotics.cli.commands import module_of
+from asymptotics.cli.asked import command_of
 from asymptotics.cli.main import COMMANDS, main
 from asymptotics.made_by import LIBRARIES, code, commit, made_by, mark, versions
 from asymptotics.sweeps import Grid, sweep
@@ -50,7 +50,7 @@ MORE = [("table", "output", end) for end in (".csv", ".json", ".tex")] + [("swee
 
 def options_of(command):
     parser = argparse.ArgumentParser()
-    module_of(command).configure(parser)
+    command_of(command).configure(parser)
     return {o[2:] for a in parser._actions if a.help != argparse.SUPPRESS for o in a.option_strings}
 
 

@@ -4,13 +4,13 @@ import argparse
 
 import pytest
 
-from asymptotics.cli.commands import module_of
+from asymptotics.cli.asked import command_of
 from asymptotics.cli.main import COMMANDS, main
 
 
 def parser_of(command):
     parser = argparse.ArgumentParser(prog=command)
-    module_of(command).configure(parser)
+    command_of(command).configure(parser)
     return parser
 
 

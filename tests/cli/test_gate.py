@@ -10,8 +10,7 @@ from pathlib import Path
 import pytest
 
 from asymptotics.cli import main as module
-from asymptotics.cli.asked import Command
-from asymptotics.cli.commands import module_of
+from asymptotics.cli.asked import Command, command_of
 from asymptotics.cli.gate import typed, words
 from asymptotics.cli.main import COMMANDS, main
 from asymptotics.errors import InputError
@@ -27,7 +26,7 @@ SLOW = set(TOKENS[2:])
 
 def options_of(command):
     parser = argparse.ArgumentParser(add_help=False)
-    module_of(command).configure(parser)
+    command_of(command).configure(parser)
     return {flag: action for flag, action in parser._option_string_actions.items() if flag.startswith("--")}
 
 

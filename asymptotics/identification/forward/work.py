@@ -24,7 +24,7 @@ from asymptotics.budget import budget, seconds_given, seconds_left, tick
 from asymptotics.errors import LimitError
 
 T = TypeVar("T")
-SECONDS = 600.0
+PATIENCE = 600
 """The time of a request that names none: on a machine that is ten times as slow as the count supposes."""
 RATE = 1e6
 """Units of work in a second of an ordinary core: one is about a microsecond.  Measured, good to a factor of about
@@ -46,7 +46,7 @@ class Work:
         """That of one verdict; ``share``: of the time in force but for a reserve, in which what is known is told."""
         left = seconds_left()
         seconds = share * max(left - max(_RESERVE * left, min(_LEAST, left / 2)), 0.0) if left < inf else inf
-        return cls(RATE * max(SECONDS, seconds_given()) / 10, monotonic() + seconds)
+        return cls(RATE * max(PATIENCE, seconds_given()) / 10, monotonic() + seconds)
 
     def within(self, work: Callable[[], T], otherwise: T) -> T:
         """What ``work`` gives in what is left; ``otherwise`` where that is not enough.
