@@ -108,7 +108,7 @@ def identify(
     omega_0: Annotated[Number | None, POSITIVE.called(letter="W", option="omega0", group=_LAW)] = None,
     noise: Annotated[Number | None, POSITIVE.called(letter="S", group=_DATA)] = None,
     bootstrap: Annotated[bool, BOOTSTRAP] = True,
-    max_seconds: Annotated[Number, SECONDS] = PATIENCE,
+    max_seconds: Annotated[Number, SECONDS.called(default=str(PATIENCE))] = PATIENCE,
 ) -> Identification:
     """Which damping law is it?  From a measured decay to exponents, strengths and honest intervals.
 
