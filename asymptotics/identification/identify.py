@@ -32,7 +32,10 @@ from asymptotics.identification.judging.single_fits import fit_decrements
 from asymptotics.identification.measuring.defects import is_constant, is_growing
 from asymptotics.identification.measuring.observations import Observations
 from asymptotics.identification.sources import LEAST_POINTS, load
-from asymptotics.identification.telling.result import Identification, LawAnswer, RecordUnits, sorted_laws
+from asymptotics.identification.telling.equivalents import omega_of
+from asymptotics.identification.telling.law_answer import LawAnswer
+from asymptotics.identification.telling.record_units import RecordUnits
+from asymptotics.identification.telling.result import Identification, sorted_laws
 from asymptotics.identification.telling.runs import common, verdict_of_runs
 from asymptotics.identification.telling.verdicts import verdict_of
 from asymptotics.identification.textbook import textbook_estimates
@@ -44,6 +47,9 @@ MAX_RUNS = 50
 """Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
 
 
+# A search may lead out of the doubles, and so do the strengths of a record in units of 1e-40: what is no number there is
+# refused or has no limit, where it is used, and is no warning for the user.
+@np.errstate(all="ignore")
 def identified(
     data: Any,
     *,
@@ -131,9 +137,9 @@ def _one_run(
     if isinstance(run, Decrements):
         return _decrements(run, candidates, units, noise)
     seen = run.without_times() if amplitudes_only else run
-    constant = is_constant(np.abs(seen.x))
+    constant = is_constant(seen.sizes)
     # A constant amplitude may be a little larger at its end.
-    growing = is_growing(seen.x) and not constant
+    growing = is_growing(seen.sizes) and not constant
     notes, fits = [*run.notes], []
     if constant:
         reason = "the amplitude is constant within the noise"
@@ -170,12 +176,11 @@ def _one_run(
         else law
         for law in laws
     ]
-    units = _measured(units, laws)
     odd = [law for law in laws if law.negative and law.verdict == "consistent" and not law.unneeded and not growing]
     notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative: unphysical" for law in odd[:3]]
-    answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
+    answers = tuple(LawAnswer(law, _measured(units, law)) for law in sorted_laws(laws))
     textbook: dict[str, Any] = work.within(lambda: textbook_estimates(seen), {})
-    return Identification(verdict, answers, (run,), textbook, tuple(notes), units)
+    return Identification(verdict, answers, (run,), textbook, tuple(notes), answers[0].units)
 
 
 def _untried(laws: Sequence[Judged]) -> list[str]:
@@ -246,13 +251,9 @@ def _together(answers: Sequence[Identification], units: RecordUnits) -> Identifi
     return Identification(verdict, shown, runs, {}, tuple(notes), units, per_run=tuple(answers))
 
 
-def _measured(units: RecordUnits, laws: Sequence[Judged]) -> RecordUnits:
-    """omega_0 from the times of the best law, if it is not given."""
-    best = min(laws, key=lambda law: law.criterion)
-    if units.omega_0 is None and best.fit is not None and best.fit.model.seen.has_times:
-        # The vector ends with ln omega_0 and t_0.
-        return replace(units, omega_0=float(np.exp(best.fit.theta[-2])))
-    return units
+def _measured(units: RecordUnits, law: Judged) -> RecordUnits:
+    """omega_0 from the times of a law, if it is not given: its strengths refer to its own."""
+    return units if units.omega_0 is not None or law.evidence.outside else replace(units, omega_0=omega_of(law))
 
 
 def _omega(mass: float | None, stiffness: float | None, omega_0: float | None) -> float | None:

@@ -20,7 +20,7 @@ from asymptotics.identification.identify import (
 )
 from asymptotics.identification.judging.laws import UNTRIED
 from asymptotics.identification.measuring.observations import Observations
-from asymptotics.identification.telling.result import RecordUnits
+from asymptotics.identification.telling.record_units import RecordUnits
 from asymptotics.records.units import GRAVITY
 from tests.identification import small_laws
 
@@ -141,18 +141,18 @@ def test_laws_that_the_data_cannot_tell_are_refused(laws, springs, times, angles
         _candidates(laws, springs, times, angles)
 
 
-def test_the_frequency_is_that_of_the_best_law_that_was_fitted_to_times():
+def test_the_frequency_is_that_of_the_law_if_its_times_were_fitted():
     units = RecordUnits("m", 1.0, None, None, None)
     theta = np.array([0.0, 0.1, 0.0, np.log(3.0), 7.0])
-    fits = [
-        SimpleNamespace(theta=theta + k, model=SimpleNamespace(seen=SimpleNamespace(has_times=times)))
-        for k, times in ((0.0, True), (1.0, False))
-    ]
-    best, untimed, none = (law("1", fit=f, criterion=c) for f, c in ((fits[0], 2.0), (fits[1], 1.0), (None, 0.0)))
-    assert _measured(units, [law("2", fit=fits[1], criterion=3.0), best]).omega_0 == pytest.approx(3.0, rel=1e-15)
-    assert _measured(units, [best, untimed]) is units and _measured(units, [best, none]) is units
+    timed, untimed = (
+        SimpleNamespace(aicc=1.0, theta=theta, model=SimpleNamespace(seen=SimpleNamespace(has_times=times)))
+        for times in (True, False)
+    )
+    assert _measured(units, small_laws.law("1", timed)).omega_0 == pytest.approx(3.0, rel=1e-15)
+    for law_without in (small_laws.law("1", untimed), small_laws.law("1"), small_laws.law("1", timed, outside="far")):
+        assert _measured(units, law_without).omega_0 is None
     given = RecordUnits("m", 1.0, None, None, 5.0)
-    assert _measured(given, [best]) is given
+    assert _measured(given, small_laws.law("1", timed)) is given
 
 
 def test_the_frequency_is_given_once():

@@ -13,7 +13,9 @@ from asymptotics.identification.judging.allowance import allowances, told
 from asymptotics.identification.judging.contradiction import further_parameters
 from asymptotics.identification.judging.judgement import commented, contains, minimal
 from asymptotics.identification.judging.laws import Fitted, Intervals, Judged
-from asymptotics.identification.telling.result import Identification, LawAnswer, RecordUnits
+from asymptotics.identification.telling.law_answer import LawAnswer
+from asymptotics.identification.telling.record_units import RecordUnits
+from asymptotics.identification.telling.result import Identification
 from asymptotics.identification.telling.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict, named
 from asymptotics.numbers.exact import parse_real
 from asymptotics.terms import Term

@@ -67,6 +67,9 @@ def _common(laws: Sequence[Judged]) -> Judged:
     # none.
     if not np.isfinite(total):
         return Judged(Fitted(first.candidate, None), reason="not every run determines it")
+    wild = [law.evidence.outside for law in laws if law.evidence.outside]
+    if wild:
+        return Judged(Fitted(first.candidate, None), reason=f"in {len(wild)} of {len(laws)} runs {wild[0]}")
     epsilon = [_mean([law.epsilon[i] for law in laws]) for i in range(len(first.epsilon))]
     springs = [_mean([law.springs[i] for law in laws]) for i in range(len(first.springs))]
     exponents = [law.alpha for law in laws if law.alpha is not None]
@@ -94,7 +97,8 @@ def _judged(place: int, laws: Sequence[Judged], least: float, per_run: Sequence[
     if not np.isfinite(law.criterion):
         return law
     # As for one run: a loss that feeds a decay refutes nothing.
-    rivals = [i for i, other in enumerate(laws) if i != place and not other.negative]
+    alien = {i for run in per_run for i, other in enumerate(run) if other.evidence.outside}
+    rivals = [i for i, other in enumerate(laws) if i != place and not other.negative and i not in alien]
     found = [_combined([against(run[place], run[i]) for run in per_run]) for i in rivals]
     law = replace(law, excess=law.criterion - least)
     law = law.with_evidence(against=min(found, key=lambda c: c.p, default=Contradiction()))
@@ -135,6 +139,8 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[Judged], first: floa
         return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
     if len(chosen) == 1:
         return _one_law(chosen[0], laws, len(runs), first)
+    if not chosen and not any(law.verdict == "refuted" for law in laws):
+        return Verdict(UNTOLD, f"{UNTOLD} to tell: the {len(runs)} runs together determine no law")
     if not chosen:
         return Verdict(NONE, f"{NONE}: no law is consistent with all {len(runs)} runs together")
     if len(chosen) > MANY:
