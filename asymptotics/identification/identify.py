@@ -47,7 +47,7 @@ MAX_RUNS = 50
 """Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
 
 
-# A search may lead out of the doubles, and so do the strengths of a record in units of 1e-40: what is no number there is
+# A search may lead out of the doubles, and so do strengths of a record in units of 1e-40: what is no number there is
 # refused or has no limit, where it is used, and is no warning for the user.
 @np.errstate(all="ignore")
 def identified(
