@@ -25,10 +25,10 @@ from typing import Any, ParamSpec, TypeVar, cast, get_type_hints
 
 from asymptotics.ask.answers import FLAGS, Offers
 from asymptotics.ask.kinds import SECONDS, Kind, Option
-from asymptotics.budget import DEFAULT_SECONDS
 from asymptotics.errors import InputError
 from asymptotics.numbers.policy import float_notes
-from asymptotics.public import public, public_beside_others
+from asymptotics.running.budget import DEFAULT_SECONDS
+from asymptotics.running.public import public, public_beside_others
 
 P = ParamSpec("P")
 T = TypeVar("T")

@@ -18,10 +18,10 @@ from every_type import SAMPLES, SETUP, name_of, types
 
 CLAIM = re.compile(r"certified|estimate|measured|exact|proved|correctly rounded|heuristic|formal|intervals: ")
 SAYINGS = {  # what was asked, a verdict in words, or a report of what was done: no number that could be uncertain
-    "law.Law", "law.Oscillator", "law.PhysicalLaw", "terms.Term", "sweeps.run.SweepResult",
+    "law.Law", "law.Oscillator", "law.PhysicalLaw", "terms.Term", "frames.Frame", "sweeps.run.SweepResult",
     "papers.statement.PaperStatement",
-    "identification.telling.result.Identification", "identification.telling.verdicts.Verdict",
-    "identification.judging.allowance.Allowance",
+    "decays.identification.telling.result.Identification", "decays.identification.telling.verdicts.Verdict",
+    "decays.identification.judging.allowance.Allowance",
 }  # fmt: skip
 
 
