@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from asymptotics.budget import tick
 from asymptotics.records.cells import MISSING, is_stamp, number, seconds_of_stamp
-from asymptotics.records.layout import WHITE, Layout, is_comment, split
+from asymptotics.records.layout import Layout
+from asymptotics.records.lines import WHITE, is_comment, split
 
 Array = NDArray[np.float64]
 _BLOCK = 200_000
