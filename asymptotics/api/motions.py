@@ -141,6 +141,10 @@ class Motion(Drawn):
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
         return replace(self._motion.sample(times_of(t)), si=self.si)
 
+    def double_errors(self, t: Array) -> dict[str, Array]:
+        """How far the doubles of ``sample`` are from the expansion, by the names of its columns; estimates."""
+        return self._motion.double_errors(t)
+
     @public
     def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
         """The dense solution: array [x, v] at t, as the ``sol`` of SciPy's ``solve_ivp``."""
@@ -238,12 +242,13 @@ class Reference(Drawn):
     def events(self, until: Number, *, max_seconds: Number = 60) -> Events:
         """Turning points, zeros and the stop in 0 < t <= until (s)."""
         stop = None
-        if self._is_dry:
+        if self.is_dry:
             stop = float(coulomb_stop(self.oscillator, DIGITS, static=self.static).t)
         return events_of(self, until, stop)
 
     @property
-    def _is_dry(self) -> bool:
+    def is_dry(self) -> bool:
+        """Whether dry friction acts alone, which has closed forms with sticking."""
         return alone(self.oscillator, 0) is not None
 
     def _heading(self) -> str:
@@ -264,7 +269,7 @@ class Reference(Drawn):
     def _values(self, times: Array) -> tuple[Array, Array]:
         # The times of an array are binary fractions; their shortest decimals would be other times.
         exact = [ExactReal(Fraction(float(t))) for t in times]  # the doubles, exactly
-        if self._is_dry:
+        if self.is_dry:
             # A closed form on each half-swing, sticking included, so that each time stands by itself.
             points = [coulomb_motion(self.oscillator, t, DIGITS, static=self.static) for t in exact]
             return np.array([float(p.x) for p in points]), np.array([float(p.v) for p in points])

@@ -215,11 +215,28 @@ class Envelope(SlowNumbers, Drawn):
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
         # The difference below puts phi = 0 at the start, where the motion of order 2 has its own phi(0).
-        start, rate = self._at_rest()
-        motion = AsymptoticMotion.of(start, 2)  # order 2 is p_1 and Omega_2: this phase
+        motion, rate = self._turning
         phi = motion.sample(np.asarray(times_of(t)) * rate).phase - motion.sample([0.0]).phase[0]
         # From the extinction on there is no amplitude, and a phase of nothing is NaN, not the last value.
         return np.where(self.amplitudes(t) > 0, phi, np.nan)
+
+    def phase_errors(self, t: ArrayLike) -> Any:
+        """How far the doubles of ``phases`` are from the averaged law, rad: estimates; NaN where there is no phase."""
+        if self.averaging != MEAN:
+            return np.full_like(times_of(t), np.nan)
+        motion, rate = self._turning
+        return motion.double_errors(np.asarray(times_of(t)) * rate)["phase"]
+
+    def roundings(self, A: Any) -> float:
+        """How often the doubles of ``amplitudes`` are rounded, down to the least of an array of them."""
+        start = np.max(A, initial=0.0)
+        return self._law.numeric().roundings(float(np.min(A[A > 0], initial=start)) / start if start else 1.0)
+
+    @cached_property
+    def _turning(self) -> tuple[AsymptoticMotion, float]:
+        """The motion of order 2, which is p_1 and Omega_2: this phase, and the rate of its time."""
+        start, rate = self._at_rest()
+        return AsymptoticMotion.of(start, 2), rate
 
     def _at_rest(self) -> tuple[Oscillator, float]:
         """The averaged law from rest at A(0), and the rate of its time; strengths in doubles for a start in motion,

@@ -20,6 +20,7 @@ from asymptotics.comparison.reading import rows_of_file
 from asymptotics.comparison.run import GUARD, LEAST_DIGITS, Comparison
 from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
+from asymptotics.present.double_errors import stated_errors
 from asymptotics.present.inputs import stated_words
 from asymptotics.sweeps.exported import SUFFIXES, read_exported
 from asymptotics.sweeps.grid import Point
@@ -63,7 +64,7 @@ def compare_again(path: Path, digits: int | None) -> Comparison:
         return compared_law(point, header, rows)
     wanted = min(wanted, _most_digits(command))
     if command == "envelope":
-        return compared_envelope(point, header, rows, wanted)
+        return compared_envelope(point, header, rows, wanted, stated_errors(path))
     # The commands below compute their whole answer first, and compare it afterwards.
     with changed(lambda _: None):  # rows of the request that are done are no rows of a comparison
         return compared_cells(rows, header, _of_command(command, point, wanted), wanted)

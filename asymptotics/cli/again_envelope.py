@@ -7,7 +7,9 @@
 [('3', '0.8870541', '0.887054138'), ('3', '0.1924054', '0.192405434')]
 """
 
+from collections.abc import Mapping
 from importlib import import_module
+from types import MappingProxyType
 
 from asymptotics.api.envelope_table import certified_row, table_head, table_times
 from asymptotics.api.large import MAX_DIGITS as MAX_SPRING_DIGITS
@@ -19,12 +21,19 @@ from asymptotics.comparison.cells import Cells, cells_so_far, compared_cells
 from asymptotics.comparison.run import Comparison
 from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
+from asymptotics.numbers.double_error import DoubleError
 from asymptotics.sweeps.grid import Point
 
 _METHOD = "the averaged law of first order (not the motion), at {} digits"
 
 
-def compared_envelope(request: Point, header: list[str], rows: list[tuple[int, list[str]]], digits: int) -> Comparison:
+def compared_envelope(
+    request: Point,
+    header: list[str],
+    rows: list[tuple[int, list[str]]],
+    digits: int,
+    doubles: Mapping[str, DoubleError] = MappingProxyType({}),
+) -> Comparison:
     """A and phi of the request at its own times; an error that cuts the work short carries the rows that are done.
 
     InputError for an order above the first, which is formal.
@@ -46,7 +55,7 @@ def compared_envelope(request: Point, header: list[str], rows: list[tuple[int, l
         return Cells((*names, "code"), tuple(made), names[:1], frozenset({"code"}), method=_METHOD.format(digits))
 
     def so_far() -> Comparison | None:
-        return cells_so_far(rows, header, right(), digits)
+        return cells_so_far(rows, header, right(), digits, doubles)
 
     # What an inner computation has done of one row is no row; the rows before it are.
     with changed(lambda _: so_far(), otherwise=so_far):
@@ -54,4 +63,4 @@ def compared_envelope(request: Point, header: list[str], rows: list[tuple[int, l
             # At the shortest decimal of the double, which is what the file has in its first column and what a reader of
             # it means.
             made.append((repr(float(t)), *certified_row(found, repr(float(t)), digits), ""))
-    return compared_cells(rows, header, right(), digits)
+    return compared_cells(rows, header, right(), digits, doubles=doubles)

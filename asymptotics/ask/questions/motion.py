@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Annotated, Any, cast
 
+from asymptotics.api.double_errors import of_motion
 from asymptotics.api.motion_table import motion_table, reference_is_near
 from asymptotics.api.motions import Motion, Reference
 from asymptotics.ask.answers import Offers, Request
@@ -24,6 +25,7 @@ from asymptotics.motions.reference import MAX_DIGITS, reference_motion
 from asymptotics.motions.result import MotionPoint, MotionSamples
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
+from asymptotics.present.double_errors import with_errors
 
 DEFAULT_ORDER = 3
 
@@ -72,7 +74,8 @@ def _given(request: Request) -> Given:
 
 def _csv(found: MotionAtTime, request: Request) -> str:
     assert found.curve is not None  # of what rests there is no table: refused before
-    return motion_table(found.curve, request["time"], request.points).to_csv()
+    rows = motion_table(found.curve, request["time"], request.points)
+    return with_errors(rows.to_csv(), of_motion(found.curve, rows))
 
 
 def _rows_done(rows: Any, request: Request) -> tuple[str, int, str] | None:
@@ -80,7 +83,8 @@ def _rows_done(rows: Any, request: Request) -> tuple[str, int, str] | None:
     if not isinstance(rows, MotionSamples):
         return None
     name, unit = ("t", " s") if _given(request).si else ("tau", "")
-    return rows.to_csv(), len(rows.t), f"{name} > {float(rows.t[-1])!r}{unit}"
+    errors = of_motion(Reference(_given(request).oscillator), rows)
+    return with_errors(rows.to_csv(), errors), len(rows.t), f"{name} > {float(rows.t[-1])!r}{unit}"
 
 
 def _drawn(found: MotionAtTime, request: Request) -> list[Any]:
