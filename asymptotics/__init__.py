@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from asymptotics import testing
     from asymptotics.api.constants import S, T, radii
-    from asymptotics.api.files import compare
     from asymptotics.api.hierarchy import any_start, map_of_gauges, multiple_scales
     from asymptotics.api.lookups import C, G, f, table_names
     from asymptotics.api.motions import Events, Motion, Reference, motion, reference
@@ -30,23 +29,25 @@ if TYPE_CHECKING:
     from asymptotics.api.slow import Envelope, envelope
     from asymptotics.api.solution import solution
     from asymptotics.api.waves import waveforms
-    from asymptotics.ask.questions.damping import damping, damping_law
+    from asymptotics.ask.questions._damping_law import damping_law
+    from asymptotics.ask.questions.compare import compare
+    from asymptotics.ask.questions.damping import damping
     from asymptotics.ask.questions.derive import derive
     from asymptotics.ask.questions.half_swing import half_swing
+    from asymptotics.ask.questions.identify import identify
     from asymptotics.ask.questions.limit_cycle import limit_cycle
     from asymptotics.ask.questions.moment import moment
     from asymptotics.ask.questions.stokes import stokes
+    from asymptotics.ask.questions.sweep import sweep_command
     from asymptotics.ask.questions.table import table
     from asymptotics.ask.questions.turning_points import turning_points
     from asymptotics.bounds.remainder import remainder
-    from asymptotics.cli.swept import sweep_command
     from asymptotics.curves.turning_points import OscillatorTurningPoints
     from asymptotics.equivalent.result import EquivalentDamping
     from asymptotics.errors import InputError, LimitError, UndecidedError
     from asymptotics.expansions.equations.build import expand
     from asymptotics.expansions.equations.result import Equations
     from asymptotics.identification.found_law import DampingLaw
-    from asymptotics.identification.identify import identify
     from asymptotics.identification.telling.html_report import html_report
     from asymptotics.identification.telling.result import Identification
     from asymptotics.law import Law, Oscillator, PhysicalLaw
@@ -61,15 +62,18 @@ __version__ = "0.1.0"
 # The same names once more: a type checker reads the imports above, Python this table.
 _HOMES = {
     "api.constants": ("S", "T", "radii"),
-    "ask.questions.damping": ("damping", "damping_law"),
+    "ask.questions._damping_law": ("damping_law",),
+    "ask.questions.compare": ("compare",),
+    "ask.questions.damping": ("damping",),
     "ask.questions.stokes": ("stokes",),
-    "api.files": ("compare",),
     "ask.questions.derive": ("derive",),
     "api.hierarchy": ("any_start", "map_of_gauges", "multiple_scales"),
     "api.lookups": ("C", "G", "f", "table_names"),
+    "ask.questions.sweep": ("sweep_command",),
     "ask.questions.table": ("table",),
     "ask.questions.moment": ("moment",),
     "ask.questions.half_swing": ("half_swing",),
+    "ask.questions.identify": ("identify",),
     "ask.questions.limit_cycle": ("limit_cycle",),
     "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
     "api.pictures": ("plot",),
@@ -79,14 +83,12 @@ _HOMES = {
     "ask.questions.turning_points": ("turning_points",),
     "curves.turning_points": ("OscillatorTurningPoints",),
     "bounds.remainder": ("remainder",),
-    "cli.swept": ("sweep_command",),
     "expansions.equations.build": ("expand",),
     "expansions.equations.result": ("Equations",),
     "identification.found_law": ("DampingLaw",),
     "equivalent.result": ("EquivalentDamping",),
     "errors": ("InputError", "LimitError", "UndecidedError"),
     "identification.telling.html_report": ("html_report",),
-    "identification.identify": ("identify",),
     "identification.telling.result": ("Identification",),
     "law": ("Law", "Oscillator", "PhysicalLaw"),
     "numbers.exact": ("ExactReal",),

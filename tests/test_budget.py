@@ -12,10 +12,11 @@ import pytest
 
 from asymptotics import budget as module
 from asymptotics import public
+from asymptotics.ask.registry import QUESTIONS
 from asymptotics.budget import budget, require_seconds, seconds_left, tick
 from asymptotics.cli import clock
-from asymptotics.cli.commands import module_of
-from asymptotics.cli.main import COMMANDS, main
+from asymptotics.cli.asked import command_of
+from asymptotics.cli.main import main
 from asymptotics.costs import require_affordable
 from asymptotics.errors import LimitError
 
@@ -60,9 +61,9 @@ def test_the_work_of_every_command_asks_for_the_time(line, ticking, capsys):
 
 def test_every_command_that_may_take_long_has_a_budget():
     without = {"sweep"}  # it is resumed, and each point has its own budget
-    for command in COMMANDS:
+    for command in QUESTIONS:
         parser = argparse.ArgumentParser()
-        module_of(command).configure(parser)
+        command_of(command).configure(parser)
         assert ("--max-seconds" in parser.format_help()) == (command not in without), command
 
 

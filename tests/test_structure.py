@@ -26,6 +26,7 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "gauges",
     "numbers",
     "public",
+    "progress",
     "series",
     "graded",
     "expansions.moments",
@@ -116,9 +117,6 @@ def test_data_flows_one_way():
 
 
 LATE = {  # what a function loads only when it is asked, and why: none of them dodges a cycle
-    "asymptotics/cli/again_envelope.py": "the command whose file is compared: of all commands one is loaded",
-    "asymptotics/cli/again_law.py": "the same",
-    "asymptotics/cli/commands.py": "what a question needs, where one is asked: a list of commands needs none of it",
     "asymptotics/cli/completion.py": "names of tables and papers, where a shell asks for them",
     "asymptotics/cli/entry.py": "everything, inside the shell that answers interrupts",
     "asymptotics/ask/questions/expand.py": "NumPy, which expand does not need",

@@ -54,7 +54,7 @@ class Asked:
     def option(self) -> Option:
         """The one option of the shell that sets it."""
         kind, told = self.kind, self.help + self.kind.told
-        unsaid = self.default is None or self.default is False or self.default in (inspect.Parameter.empty, "")
+        unsaid = self.default is None or self.default is False or self.default in (inspect.Parameter.empty, "", ())
         default = kind.default or ("" if unsaid or kind.needed else self.default)
         if told.count("(") > told.count(")"):
             told += f"; default {default})" if default != "" else ")"
@@ -88,6 +88,13 @@ class Question:
         return next(a for a in self.asked if a.name == name)
 
     @property
+    def in_header(self) -> bool:
+        """Whether the header of its table names the request."""
+        again = self.offers.again
+        own = again is not None and bool(self.offers.table or again.words)
+        return own and not self.offers.oscillator_alone
+
+    @property
     def options(self) -> tuple[Option, ...]:
         """Every option of the command, in the order of its help."""
         own = tuple(o for a in self.asked for o in a.options)
@@ -104,6 +111,8 @@ class Question:
     def add_to(self, parser: argparse.ArgumentParser, refuse: type[argparse.Action] | None = None) -> None:
         """Declare the options under their headings, then those that mean nothing here, hidden, each with its reason."""
         options = self.options
+        if any(o.rest for o in options):  # what is needed may stand among the rest: it is asked for when it is read
+            options = tuple(replace(o, needed=o.needed and o.place) for o in options)
         for option in (o for o in options if o.place):
             option.add_to(parser)
         for title in GROUPS:

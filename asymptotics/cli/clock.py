@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from asymptotics.cli.answer import read_max_seconds
-from asymptotics.cli.progress import status_line
 from asymptotics.numbers.context import alone
+from asymptotics.progress import status_line
 from asymptotics.public import limited
 
 

@@ -14,7 +14,8 @@ import argparse
 from collections.abc import Iterable, Iterator, Mapping
 from importlib import import_module
 
-from asymptotics.cli.commands import module_of, summary_of
+from asymptotics.ask.registry import summary
+from asymptotics.cli.asked import command_of
 from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES
 
@@ -35,7 +36,7 @@ def script(shell: str, commands: Iterable[str]) -> str:
 
 def _parser(command: str) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog=command)
-    module_of(command).configure(parser)
+    command_of(command).configure(parser)
     return parser
 
 
@@ -98,7 +99,7 @@ def _bash(parsers: Mapping[str, argparse.ArgumentParser]) -> Iterator[str]:
 
 def _fish(parsers: Mapping[str, argparse.ArgumentParser]) -> Iterator[str]:
     for name in parsers:
-        yield f"complete -c asymptotics -f -n __fish_use_subcommand -a {name} -d {_quoted(summary_of(name))}"
+        yield f"complete -c asymptotics -f -n __fish_use_subcommand -a {name} -d {_quoted(summary(name))}"
     for name, parser in parsers.items():
         where = f"complete -c asymptotics -n '__fish_seen_subcommand_from {name}'"
         if _words(name, parser):

@@ -1,8 +1,6 @@
-"""The options --csv, --plot and --points: files refused before the work, written all together or not at all.
+"""The files of --csv, --plot, --html, --certificate: refused before the work, written all together or not at all.
 
->>> parser = argparse.ArgumentParser()
->>> add_plot(parser, "the motion from 0 to T")
->>> read_files(parser.parse_args([]))
+>>> read_files(argparse.Namespace(points=None))
 {}
 """
 
@@ -12,25 +10,17 @@ from pathlib import Path
 from typing import Any
 
 from asymptotics.ask.answers import read_points
-from asymptotics.cli.requests import request_words
+from asymptotics.ask.question import Question
 from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_integer, parse_real
 from asymptotics.present.drawn import Drawn, pictured
-from asymptotics.present.figures import DPI, MAX_DPI, MIN_DPI, SIZE
+from asymptotics.present.figures import DPI, MAX_DPI, MIN_DPI
 from asymptotics.present.files import require_different, target_file, write_all
 from asymptotics.present.inputs import MOVED_BY, with_inputs, with_words
 
 PICTURES = (".svg", ".png", ".pdf")
 Makers = dict[str, Callable[[str], str | bytes]]
-
-
-def add_plot(parser: argparse.ArgumentParser, what: str) -> None:
-    """The options --plot, --size and --dpi."""
-    parser.add_argument("--plot", metavar="FILE", help=f"{what}: SVG, PNG or PDF")
-    wide, high = SIZE
-    parser.add_argument("--size", metavar="WxH", help=f"the size of the picture in inches (default {wide:g}x{high:g})")
-    parser.add_argument("--dpi", metavar="DPI", help=f"its resolution, for PNG (default {DPI})")
 
 
 def picture_maker(
@@ -57,11 +47,6 @@ def _sides(text: str) -> tuple[float, float]:
     return wide, high
 
 
-def add_csv(parser: argparse.ArgumentParser, columns: str) -> None:
-    """The option --csv, which writes a table of these columns."""
-    parser.add_argument("--csv", metavar="FILE", help=f"{columns}, as a table of columns")
-
-
 def read_files(options: argparse.Namespace, pictures: tuple[str, ...] = PICTURES) -> dict[str, Path]:
     """The files asked for, by option, after proving that each can be written; InputError otherwise.
 
@@ -81,18 +66,18 @@ def write_files(
     files: dict[str, Path],
     makers: Makers,
     options: argparse.Namespace | None = None,
-    command: Any = "",
+    question: Question | None = None,
 ) -> list[str]:
     """Make all contents, then write them; a maker gets the kind of its file (csv, or that of the picture).
 
     With ``options`` the head of a table says which oscillator it is of, so that ``compare`` can be asked without it;
-    with ``command`` it says the whole request, as ``cli.requests.request_words`` has it.
+    with ``question`` it says the whole request.
     """
     # All contents before the first byte is written: a picture that fails leaves no table behind.
     contents = {path: makers[argument](_kind(path, argument)) for argument, path in files.items()}
     table = contents.get(files["--csv"]) if "--csv" in files and options is not None else None
     if isinstance(table, str):
-        words = [] if not command or options is None else request_words(command, options)
+        words = [] if question is None or options is None else question.words(options)
         contents[files["--csv"]] = (
             with_words(table, words)
             if words

@@ -1,8 +1,8 @@
-"""``asymptotics COMMAND ...``: find the command, load its module, run it, print text or JSON.
+"""``asymptotics COMMAND ...``: find the question, load it, ask it, print text or JSON.
 
-A command module has ``configure(parser)``, which declares the options (all as text; reading numbers is the command's
-own business, so that every error names its argument), and ``run(options)``, which returns an ``Answer``.  Exit codes: 0
-for an answer, 1 for a failed check or an undecided computation, 2 for a bad value, 70 for a fault of the program.
+A command is a question (``ask``): its options are all read as texts here, and by the question's kinds there, so that
+every error names its argument.  Exit codes: 0 for an answer, 1 for a failed check or an undecided computation, 2 for a
+bad value, 70 for a fault of the program.
 """
 
 import argparse
@@ -15,11 +15,9 @@ from importlib import import_module
 from types import MappingProxyType
 from typing import Any, NoReturn
 
-from asymptotics.ask.registry import loaded
-from asymptotics.cli.commands import COMMANDS, MODULES, module_of, summary_of
-from asymptotics.cli.common import add_missing
+from asymptotics.ask.registry import QUESTIONS, loaded, summary
 from asymptotics.cli.gate import typed, words
-from asymptotics.cli.groups import group_options, lacking
+from asymptotics.cli.lacking import lacking
 from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import MAX_ACCEPTED, InputError, LimitError, UndecidedError, printable
 
@@ -86,7 +84,7 @@ class _Completion(argparse.Action):
     def __call__(self, parser: argparse.ArgumentParser, namespace: Any, value: Any, *rest: Any) -> NoReturn:
         """Print it and leave."""
         try:
-            text = import_module("asymptotics.cli.completion").script(str(value), COMMANDS)
+            text = import_module("asymptotics.cli.completion").script(str(value), QUESTIONS)
         except InputError as error:
             parser.error(str(error))
         parser._print_message(text, sys.stdout)
@@ -103,7 +101,7 @@ def run(argv: list[str] | None = None) -> int:
     top = Parser(prog="asymptotics", description=_description(), allow_abbrev=False, formatter_class=_Raw)
     top.add_argument("--version", action=_Version, nargs=0, help="the version; warns of a package of the same name")
     top.add_argument("--completion", action=_Completion, metavar="SHELL", help="a script for bash, zsh or fish")
-    top.add_argument("command", choices=COMMANDS, metavar="COMMAND", help="one of the commands above")
+    top.add_argument("command", choices=QUESTIONS, metavar="COMMAND", help="one of the commands above")
     try:
         arguments = words(sys.argv[1:] if argv is None else argv)
     except InputError as error:
@@ -115,21 +113,20 @@ def run(argv: list[str] | None = None) -> int:
     # Two parsers: the first reads one word, so that only the module of that command is loaded, and its options are
     # unknown here.
     name = top.parse_args(arguments[: 2 if arguments[0] == "--completion" else 1]).command
-    module = module_of(name)
-    parser = Parser(prog=f"asymptotics {name}", description=module.__doc__, allow_abbrev=False, formatter_class=_Raw)
-    module.configure(parser)
-    # After the command's own options: what it lacks is declared last, hidden, and grouped with nothing.
-    if name in MODULES:
-        add_missing(parser, name)
-        group_options(parser)
-    else:  # a module has no declaration that a schema could be made of
-        parser.add_argument("--schema", action=_Schema, nargs=0, help="the request as JSON Schema")
-    options = parser.parse_args(arguments[1:])
+    # Loaded only here: the list of commands, --help and --version need no question.
+    command = import_module("asymptotics.cli.asked").command_of(name)
+    parser = Parser(prog=f"asymptotics {name}", description=command.page, allow_abbrev=False, formatter_class=_Raw)
+    command.configure(parser)
+    parser.add_argument("--schema", action=_Schema, nargs=0, help="the request as JSON Schema")
+    options = argparse.Namespace()
     try:
+        options = command.parsed(parser, arguments[1:])
         typed(options)
-        return _shown(name, module, options)
+        return _shown(name, command, options)
     except InputError as error:
-        complain(f"asymptotics {name}: {as_option(error, options, _written(parser), _feeds(module))}")
+        complain(
+            f"asymptotics {name}: {as_option(error, options, _written(parser), _OPTIONS | command.question.feeds())}"
+        )
         return 2
     except ValueError as error:
         # Python's limit on the digits of an int (4300) is met where a fraction is printed: an answer too long to be
@@ -144,37 +141,32 @@ def run(argv: list[str] | None = None) -> int:
         return 1
 
 
-def _feeds(module: Any) -> Mapping[str, tuple[str, ...]]:
-    """The options that may have set a parameter of the library."""
-    return _OPTIONS | module.question.feeds() if hasattr(module, "question") else _OPTIONS
-
-
 def _require_known(top: Parser, name: str) -> None:
     """A word that is no command is answered with the command that was perhaps meant."""
-    if not name.startswith("-") and name not in COMMANDS:
-        near = get_close_matches(name.lower(), COMMANDS, n=2)
+    if not name.startswith("-") and name not in QUESTIONS:
+        near = get_close_matches(name.lower(), QUESTIONS, n=2)
         top.error(f"argument COMMAND: no command {name!r}" + (f"; did you mean {' or '.join(near)}?" if near else ""))
 
 
-def _shown(name: str, module: Any, options: argparse.Namespace) -> int:
+def _shown(name: str, command: Any, options: argparse.Namespace) -> int:
     """Print the answer; of a command whose time is over, or that is interrupted, the rows that are done."""
     try:
-        answer = _answer(module, options)
+        answer = _answer(command, options)
     except (LimitError, KeyboardInterrupt) as stop:
         # The rows are printed, and the error is raised again after them: the exit code and the line on stderr stay.
-        rows = import_module("asymptotics.cut_short").done(stop) if hasattr(module, "cut_short") else None
-        partial = None if rows is None else module.cut_short(options, rows)
+        rows = import_module("asymptotics.cut_short").done(stop)
+        partial = None if rows is None else command.cut_short(options, rows)
         if partial is not None:
             partial.show(name)
         raise
     return int(answer.show(name))
 
 
-def _answer(module: Any, options: argparse.Namespace) -> Any:
+def _answer(command: Any, options: argparse.Namespace) -> Any:
     if "max_seconds" not in options:
-        return module.run(options)
+        return command.run(options)
     with import_module("asymptotics.cli.clock").timed(options):  # loaded only here: --help and --version stay instant
-        return module.run(options)
+        return command.run(options)
 
 
 def _written(parser: argparse.ArgumentParser) -> dict[str, str]:
@@ -222,8 +214,8 @@ _OPTIONS = {  # a parameter of the library: the options that may have set it
 
 
 def _description() -> str:
-    width = max(map(len, COMMANDS)) + 2
-    lines = [f"  {name:{width}}{summary_of(name)}" for name in COMMANDS]
+    width = max(map(len, QUESTIONS)) + 2
+    lines = [f"  {name:{width}}{summary(name)}" for name in QUESTIONS]
     title = "Certified asymptotics for m x'' + k x + sum b_i x'|x'|^(alpha_i - 1) = 0."
     return "\n".join([title, "", "commands:", *lines, "", "`asymptotics COMMAND --help` explains each."])
 

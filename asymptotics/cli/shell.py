@@ -115,6 +115,8 @@ def _guarded(name: str, body: Callable[[], int], last: bool) -> int:
         # theirs.
         if not interrupts.seen and not isinstance(error, KeyboardInterrupt):
             return _last_resort(name, error)
+        for note in getattr(error, "__notes__", ()):
+            complain(f"{name}: {note}")
         complain(f"{name}: interrupted; no file was left half-written")
         _drop_output()
         # The shell's convention for a program that a signal has ended, 130 and 143; the process ends itself, after

@@ -2,7 +2,7 @@
 
 >>> n = np.arange(41)
 >>> x = (-1.0) ** n / (1 + 0.05 * n) + 1e-4 * np.random.default_rng(3).standard_normal(41)
->>> answer = identify({"n": n, "x": x}, laws=["1", "2", "free"])
+>>> answer = identified({"n": n, "x": x}, laws=["1", "2", "free"])
 >>> answer.law("1").law.verdict
 'refuted'
 """
@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from asymptotics.budget import tick
-from asymptotics.errors import InputError, require_flag, shown
+from asymptotics.errors import InputError, shown
 from asymptotics.identification.fitting.correlation import block_length
 from asymptotics.identification.fitting.in_time import Time
 from asymptotics.identification.fitting.least_squares import Noise
@@ -36,9 +36,6 @@ from asymptotics.identification.telling.result import Identification, LawAnswer,
 from asymptotics.identification.telling.runs import common, verdict_of_runs
 from asymptotics.identification.telling.verdicts import verdict_of
 from asymptotics.identification.textbook import textbook_estimates
-from asymptotics.numbers.arrays import real_array
-from asymptotics.numbers.policy import Number, exact_double
-from asymptotics.public import public
 from asymptotics.records.sources import How
 from asymptotics.records.units import ANGLES, GRAVITY, UNITS
 from asymptotics.terms import terms_of
@@ -47,8 +44,7 @@ MAX_RUNS = 50
 """A limit of the time, of which each run has its share: of a minute that is a second for each of fifty."""
 
 
-@public
-def identify(
+def identified(
     data: Any,
     *,
     kind: str | None = None,
@@ -62,43 +58,15 @@ def identify(
     omega_0: float | None = None,
     noise: float | None = None,
     bootstrap: bool = True,
-    max_seconds: Number = 60,
-    columns: str | None = None,
-    decimal: str | None = None,
-    skip: int = 0,
-    sheet: str | None = None,
+    how: How = How(),  # noqa: B008 (immutable)
 ) -> Identification:
-    """The laws that are consistent with measured data, with intervals for their strengths, and a verdict in words.
-
-    ``data``: a file (a text table of any layout, xlsx, parquet, npz, mat), an open one, a data frame, a mapping of
-    columns, two arrays ``(t, x)``, observations, or a list of several runs of one oscillator.
-    ``kind``: record, velocity, acceleration, turning-points or decrement (found from the columns if not given);
-    ``unit`` of x: m, cm, mm, rad, deg, and of time: "mm,ms".  ``columns`` such as "t=Time (s),x=3", ``decimal`` "." or
-    ",", ``skip`` lines and ``sheet`` overrule what a file shows.
-    ``laws``: candidates such as "1+2", "free", "1+s3", "1,2:" for |x|^2 x' (default: every subset of 0, 1, 2, 3 and
-    one free exponent, with and without the springs x^3 and x^3, x^5 when there are times); ``springs``: the springs to
-    add to each of ``laws``.
-    ``amplitudes``: (low, high), the range of |x_n| that is used, in the unit of the data.
-    ``amplitudes_only``: times are not used; intervals are widened by what an unseen spring could do.
-    ``mass`` (kg), ``stiffness`` (N/m), ``omega_0`` (rad/s): whatever is known; b or b/m is given as far as it can be.
-    ``noise``: the standard deviation of x, if it is known; ``bootstrap``: lengthen the intervals of correlated
-    residuals.
-
-    epsilon_i refers to x0 = 1 unit of the data: x'' + x + sum epsilon_i x'|x'|^(alpha_i - 1) = 0 in the time omega_0 t.
-    InputError for data that cannot be used, naming the row and the column.
-    """
-    mass, stiffness = _positive(mass, "mass"), _positive(stiffness, "stiffness")
-    omega_0, noise = _positive(omega_0, "omega_0"), _positive(noise, "noise")
-    require_flag(amplitudes_only, "amplitudes_only")
-    require_flag(bootstrap, "bootstrap")
-    how = How(columns, decimal, skip, sheet)
+    """What ``asymptotics.identify`` answers, of values that were read; ``how`` a file is read."""
     sources = _sources(data)
     if not 1 <= len(sources) <= MAX_RUNS:
         raise InputError("data", f"{len(sources)} runs", f"1 to {MAX_RUNS} runs")
-    within = None if amplitudes is None else _two_numbers(amplitudes)
     _candidates(laws, springs, times=True, angles=True)  # a law that cannot be read is refused before the work
     tick("the reading of the data")
-    runs = [_in_range(run, within) for source in sources for run in load(source, kind, unit, how)]
+    runs = [_in_range(run, amplitudes) for source in sources for run in load(source, kind, unit, how)]
     units = {run.unit for run in runs}
     if len(units) > 1:
         raise InputError("unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
@@ -292,22 +260,6 @@ def _omega(mass: float | None, stiffness: float | None, omega_0: float | None) -
             raise InputError("omega_0", "it stands next to the mass and the stiffness", "either, not both")
         return float(np.sqrt(stiffness / mass))
     return omega_0
-
-
-def _positive(value: Any, name: str) -> float | None:
-    if value is None:
-        return None
-    number = exact_double(value, name)
-    if not number > 0:
-        raise InputError(name, f"{number} is not positive", "a positive number")
-    return number
-
-
-def _two_numbers(amplitudes: Any) -> tuple[float, float]:
-    values = real_array(amplitudes, "amplitudes")
-    if values.shape != (2,):
-        raise InputError("amplitudes", f"its shape is {values.shape}", "two numbers: low, high")
-    return float(values[0]), float(values[1])
 
 
 def _texts(given: Any, name: str) -> list[str]:

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from asymptotics.cli import again_swept
+from asymptotics.ask import again
 from asymptotics.cli.main import main
 from asymptotics.errors import LimitError
 
@@ -111,7 +111,7 @@ def test_a_failed_point_is_no_value(capsys, tmp_path):
 def test_the_rows_that_are_done_are_kept(capsys, tmp_path, monkeypatch, suffix, error):
     path = tmp_path / f"swept.{suffix}"
     swept("moment", path, ["--p", "0:5:1", "--digits", "20"])
-    whole, calls = again_swept.run_point, []
+    whole, calls = again.answered, []
 
     def cut(command, point):
         calls.append(point)
@@ -119,7 +119,7 @@ def test_the_rows_that_are_done_are_kept(capsys, tmp_path, monkeypatch, suffix, 
             raise error
         return whole(command, point)
 
-    monkeypatch.setattr(again_swept, "run_point", cut)
+    monkeypatch.setattr(again, "answered", cut)
     capsys.readouterr()
     assert main(["compare", str(path), "--json"]) == (2 if isinstance(error, LimitError) else 130)
     found = json.loads(capsys.readouterr()[0])  # failed before: nothing was printed
@@ -144,7 +144,7 @@ BAD = {
     HEAD + '{"point": {"csv": "/etc/motd"}, "result": {}}]}': "csv",
     HEAD + '{"point": {"list": "/etc/motd"}, "result": {}}]}': "list",
     HEAD + '{"point": {"p": "__import__(\'os\')"}, "result": {"value": "1"}}]}': "__import__",
-    HEAD + '{"point": {"q": "1"}, "result": {"value": "1"}}]}': "--q",
+    HEAD + '{"point": {"q": "1"}, "result": {"value": "1"}}]}': "names 'q', no parameter of it",
 }
 
 

@@ -7,7 +7,8 @@ import sys
 import pytest
 
 from asymptotics import __version__
-from asymptotics.cli.main import COMMANDS, main
+from asymptotics.ask.registry import QUESTIONS
+from asymptotics.cli.main import main
 
 
 def run(capsys, *arguments: str) -> tuple[int, str, str]:
@@ -43,7 +44,7 @@ def test_tables(capsys):
     assert r"\begin{tabular}" in out
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("command", QUESTIONS)
 def test_every_command_explains_itself(capsys, command):
     code, out, _ = run(capsys, command, "--help")
     assert code == 0

@@ -9,23 +9,28 @@ from pathlib import Path
 
 import pytest
 
-from asymptotics.cli.commands import module_of
-from asymptotics.cli.common import COMMON, lacks, missing
-from asymptotics.cli.main import COMMANDS, Parser, main
+from asymptotics.ask.answers import COMMON
+from asymptotics.ask.registry import QUESTIONS, loaded
+from asymptotics.cli.asked import command_of
+from asymptotics.cli.main import Parser, main
 from asymptotics.made_by import mark
 
 SHOWN = ("csv", "plot", "latex", "points", "gauge", "digits")
 PAGE = Path(__file__).parents[2] / "docs/command_line.md"
 
 
+def lacks(command):
+    return loaded(command).offers.lacks
+
+
 def options_of(command: str) -> set[str]:
-    module = module_of(command)
+    module = command_of(command)
     parser = Parser(prog=command)
     module.configure(parser)
     return {o[2:] for a in parser._actions if a.help != argparse.SUPPRESS for o in a.option_strings}
 
 
-@pytest.mark.parametrize("command", sorted(COMMANDS))
+@pytest.mark.parametrize("command", sorted(QUESTIONS))
 def test_each_common_option_is_there_or_says_why_not(command, capsys):
     has = options_of(command) & set(COMMON)
     assert has | set(lacks(command)) == set(COMMON)
@@ -35,12 +40,12 @@ def test_each_common_option_is_there_or_says_why_not(command, capsys):
         assert main([command, f"--{option}"]) == 2
         out, err = capsys.readouterr()
         assert (out, err.count("\n")) == ("", 1)
-        assert f"argument --{option}: not in this command: {missing(command, option)}" in err
+        assert f"argument --{option}: not in this command: {lacks(command)[option]}" in err
 
 
 def test_the_docs_have_the_table_and_the_reasons():
     page = PAGE.read_text(encoding="utf-8")
-    for command in COMMANDS:
+    for command in QUESTIONS:
         absent = lacks(command)
         row = " | ".join("–" if option in absent else "yes" for option in SHOWN)
         assert f"| `{command}` | {row} |" in page, command
@@ -105,14 +110,15 @@ def test_numbers_as_latex_and_as_a_table(capsys, tmp_path):
 CORE = """
 import sys
 sys.modules.update(dict.fromkeys(("matplotlib", "cycler", "pandas", "pyarrow", "iminuit"), None))  # extras
-from asymptotics.cli.main import COMMANDS, main
+from asymptotics.ask.registry import QUESTIONS
+from asymptotics.cli.main import main
 codes = [main(line.split()) for line in (
     "envelope --alpha 3/2 --epsilon 1/10 --time 3 --digits 5", "turning-points --alpha 2 --epsilon 1 --count 2",
     "expand --alpha 3/2 --order 2 --digits 5")]
 assert codes == [0] * 3 and not [name for name in sys.modules if name.startswith("scipy")]
-from asymptotics.cli.commands import module_of
-for name in COMMANDS:
-    module_of(name)
+from asymptotics.cli.asked import command_of
+for name in QUESTIONS:
+    command_of(name)
 sys.exit(main(["turning-points", *"--alpha 2 --epsilon 1 --count 2 --plot".split(), sys.argv[1]]))
 """
 

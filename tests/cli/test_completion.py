@@ -6,14 +6,15 @@ import subprocess
 
 import pytest
 
-from asymptotics.cli.commands import module_of
+from asymptotics.ask.registry import QUESTIONS
+from asymptotics.cli.asked import command_of
 from asymptotics.cli.completion import SHELLS
-from asymptotics.cli.main import COMMANDS, main
+from asymptotics.cli.main import main
 
 
 def parser_of(command):
     parser = argparse.ArgumentParser(prog=command)
-    module_of(command).configure(parser)
+    command_of(command).configure(parser)
     return parser
 
 
@@ -54,7 +55,7 @@ def test_bash_completes(scripts, line, wanted):
 def test_zsh_and_fish_have_the_same_words(scripts):
     bash, zsh, fish = (scripts[shell].read_text() for shell in SHELLS)
     assert zsh.startswith("autoload -U +X bashcompinit && bashcompinit\n") and zsh.endswith(bash)
-    for command in COMMANDS:
+    for command in QUESTIONS:
         assert f"-a {command} " in fish
         for action in parser_of(command)._actions:
             for option in (o for o in action.option_strings if o.startswith("--") and action.help != "==SUPPRESS=="):

@@ -4,13 +4,14 @@ import argparse
 
 import pytest
 
-from asymptotics.cli.commands import module_of
-from asymptotics.cli.main import COMMANDS, main
+from asymptotics.ask.registry import QUESTIONS
+from asymptotics.cli.asked import command_of
+from asymptotics.cli.main import main
 
 
 def parser_of(command):
     parser = argparse.ArgumentParser(prog=command)
-    module_of(command).configure(parser)
+    command_of(command).configure(parser)
     return parser
 
 
@@ -24,7 +25,7 @@ FILES = {  # what a command needs before it looks at its files; sweep writes not
 }  # fmt: skip
 TAKEN = [
     (command, action.option_strings[-1])
-    for command in COMMANDS
+    for command in QUESTIONS
     for action in parser_of(command)._actions
     if action.option_strings and action.metavar in ("FILE", "DIR")
 ]

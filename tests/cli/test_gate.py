@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
+from asymptotics.ask.registry import QUESTIONS
 from asymptotics.cli import main as module
-from asymptotics.cli.asked import Command
-from asymptotics.cli.commands import module_of
+from asymptotics.cli.asked import Command, command_of
 from asymptotics.cli.gate import typed, words
-from asymptotics.cli.main import COMMANDS, main
+from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.sweeps import workers
 from tests.test_made_by import LINES
@@ -27,11 +27,11 @@ SLOW = set(TOKENS[2:])
 
 def options_of(command):
     parser = argparse.ArgumentParser(add_help=False)
-    module_of(command).configure(parser)
+    command_of(command).configure(parser)
     return {flag: action for flag, action in parser._option_string_actions.items() if flag.startswith("--")}
 
 
-TAKING = [(c, flag) for c in COMMANDS for flag, action in options_of(c).items() if action.nargs != 0]
+TAKING = [(c, flag) for c in QUESTIONS for flag, action in options_of(c).items() if action.nargs != 0]
 
 
 def judged(arguments, capsys):
@@ -96,7 +96,7 @@ def test_any_hostile_word_in_any_option(command, flag, tmp_path, monkeypatch, ca
 def test_any_two_options_with_hostile_words(seed, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     chance = random.Random(seed)
-    command = chance.choice(sorted(COMMANDS))
+    command = chance.choice(sorted(QUESTIONS))
     flags = [flag for name, flag in TAKING if name == command]
     for _ in range(8):
         drawn = [f"{flag}={chance.choice(TOKENS)}" for flag in chance.sample(flags, min(2, len(flags)))]

@@ -4,14 +4,15 @@ import argparse
 
 import pytest
 
-from asymptotics.cli.commands import MODULES, module_of
-from asymptotics.cli.groups import GROUPS, group_options
-from asymptotics.cli.main import COMMANDS, main
+from asymptotics.ask.question import GROUPS
+from asymptotics.ask.registry import QUESTIONS
+from asymptotics.cli.asked import command_of
+from asymptotics.cli.main import main
 
 
 def parser_of(command):
     parser = argparse.ArgumentParser(prog=command)
-    module_of(command).configure(parser)
+    command_of(command).configure(parser)
     return parser
 
 
@@ -19,25 +20,16 @@ def seen(actions):
     return [a for a in actions if a.help != argparse.SUPPRESS]
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("command", QUESTIONS)
 def test_every_option_stands_under_one_heading(command):
     parser = parser_of(command)
     before = {o for a in seen(parser._actions) for o in a.option_strings}
-    if command in MODULES:
-        group_options(parser)
     assert [a.dest for a in seen(parser._optionals._group_actions) if a.option_strings] == ["help"]
     shown = [o for group in parser._action_groups for a in seen(group._group_actions) for o in a.option_strings]
     assert sorted(shown) == sorted(before)  # each once
     assert parser.format_help().count("\n  --json ") == 1
     titles = [group.title for group in parser._action_groups if group._group_actions]
     assert [t for t in titles if t in GROUPS] == [t for t in GROUPS if t in titles]
-
-
-def test_an_option_without_a_heading_is_noticed():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--stray")
-    group_options(parser)
-    assert [a.dest for a in parser._optionals._group_actions] == ["help", "stray"]
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
+from asymptotics.ask.axes import read_axes
 from asymptotics.cli.main import main
-from asymptotics.cli.swept import read_axes
 from asymptotics.sweeps.export import read_rows
 
 

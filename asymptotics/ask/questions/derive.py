@@ -53,9 +53,9 @@ def _text(found: Any, _: Request) -> str:
     return f"failed: {found}" if isinstance(found, Failed) else str(found.text())
 
 
-def _shown(name: str | None, max_seconds: Any) -> Any:
+def _shown(request: Request) -> Any:
     """What the shell answers: a list with titles, what is found by words, a derivation, or the step that failed."""
-    names = _names()
+    name, names = request["name"], _names()
     if name is None:
         return Listed(grouped())
     try:

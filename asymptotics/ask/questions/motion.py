@@ -1,12 +1,13 @@
 """x(t) and v(t) at a chosen order, or exact and high-precision reference motion."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, cast
 
 from asymptotics.api.double_errors import of_motion
 from asymptotics.api.motion_table import motion_table, reference_is_near
 from asymptotics.api.motions import Motion, Reference
-from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.laws import MOVES_OR_RESTS
 from asymptotics.ask.moving import OVERLAY, TIME, Given, overlaid
@@ -125,6 +126,12 @@ def _certificate(found: MotionAtTime, request: Request) -> Any:
     return of_states(_given(request).oscillator, [(request["time"], found.point)], digits)
 
 
+def _as_reference(point: Mapping[str, str], digits: int) -> dict[str, str]:
+    """A row of order N is an expansion, of a gauge: x and v are held against the certified motion, the rest is not."""
+    kept = {name: value for name, value in point.items() if name not in ("order", "gauge", "best-order")}
+    return {**kept, "reference": "", "digits": str(digits)}
+
+
 @question(
     Offers(
         picture="waveform, envelope and error curve from 0 to T",
@@ -139,6 +146,7 @@ def _certificate(found: MotionAtTime, request: Request) -> Any:
         drawn=_drawn,
         style=_style,
         typed=_typed,
+        again=Again(at=_as_reference, judged=("x", "v"), route="the certified motion at each row"),
         certificate=_certificate,
         rows_done=_rows_done,
         lacks={"latex": "the answer is numbers at one time; `expand --latex` has the equations"},

@@ -1,13 +1,13 @@
 """Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from importlib import import_module
 from math import log2
 from typing import Annotated, Any
 
-from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.question import question
 from asymptotics.costs import binomial_seconds, require_affordable
@@ -53,11 +53,17 @@ def _typed(request: Request) -> None:
         raise InputError("--csv", f"smith {request['what']} is not a row of coefficients", "--csv with f or c")
 
 
+def _at_more_digits(point: Mapping[str, str], digits: int) -> dict[str, str]:
+    """Exact fractions refuse --digits."""
+    return dict(point) if point.get("") in ("f", "c", "g") else {**point, "digits": str(digits)}
+
+
 @question(
     Offers(
         latex="print it as LaTeX",
         table="the coefficients: n, i, C_i^n",
         own_latex=True,
+        again=Again(at=_at_more_digits, exact=True),  # rational arithmetic, or balls
         data=_data,
         text=lambda found, _: found.text,
         as_latex=lambda found, _: found.latex,

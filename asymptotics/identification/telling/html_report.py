@@ -44,8 +44,8 @@ def html_report(
 
     InputError for what ``identify`` has not returned.
 
-    >>> from asymptotics.identification.identify import identify
-    >>> found = identify({"n": range(9), "x": [(-0.9) ** n for n in range(9)]}, laws=["1"], bootstrap=False)
+    >>> from asymptotics.identification.identify import identified
+    >>> found = identified({"n": range(9), "x": [(-0.9) ** n for n in range(9)]}, laws=["1"], bootstrap=False)
     >>> html_report(found)[:15]
     '<!DOCTYPE html>'
     """

@@ -2,54 +2,43 @@
 
 >>> header = ["tau", "amplitude", "phase", "code"]
 >>> rows = [(2, ["0.0", "1.0", "0.0", ""]), (3, ["3.0", "0.8870541", "0.1924054", ""])]
->>> request = {"law": "2:1/10", "spring": "3:1/5", "time": "3", "points": "1"}
->>> [(row.key, row.marked, row.certified) for row in compared_envelope(request, header, rows, 9).rows[2:]]
+>>> from asymptotics.api.slow import envelope
+>>> from asymptotics.law import Law
+>>> found = envelope(Law({2: "1/10"}, {3: "1/5"}))
+>>> [(row.key, row.marked, row.certified) for row in compared_envelope(found, [0.0, 3.0], header, rows, 9).rows[2:]]
 [('3', '0.8870541', '0.887054138'), ('3', '0.1924054', '0.192405434')]
 """
 
-from collections.abc import Mapping
-from importlib import import_module
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
-from asymptotics.api.envelope_table import certified_row, table_head, table_times
+from asymptotics.api.envelope_table import certified_row, table_head
 from asymptotics.api.large import MAX_DIGITS as MAX_SPRING_DIGITS
 from asymptotics.api.large import SpringEnvelope
-from asymptotics.ask.answers import read_points
-from asymptotics.ask.registry import loaded
-from asymptotics.cli.swept import typed_options
+from asymptotics.api.slow import Envelope
 from asymptotics.comparison.cells import Cells, cells_so_far, compared_cells
 from asymptotics.comparison.run import Comparison
 from asymptotics.cut_short import changed
-from asymptotics.errors import InputError
 from asymptotics.numbers.double_error import DoubleError
-from asymptotics.sweeps.grid import Point
 
 _METHOD = "the averaged law of first order (not the motion), at {} digits"
 
 
 def compared_envelope(
-    request: Point,
+    found: Envelope | SpringEnvelope,
+    times: Sequence[float],
     header: list[str],
     rows: list[tuple[int, list[str]]],
     digits: int,
     doubles: Mapping[str, DoubleError] = MappingProxyType({}),
 ) -> Comparison:
-    """A and phi of the request at its own times; an error that cuts the work short carries the rows that are done.
+    """A and phi at the times; an error that cuts the work short carries the rows that are done.
 
-    InputError for an order above the first, which is formal.
+    ``doubles``: the errors that the columns may have.
     """
-    if "order" in request:
-        raise InputError("FILE", "no route certifies an envelope of higher order: formal series", "the first order")
-    options = typed_options("envelope", request)
-    asked = loaded("envelope").of_options(options)
-    time = asked["time"]
-    if time is None or not time > 0:
-        raise InputError("--time", "there is no stretch of time", "a time > 0")
-    found = import_module("asymptotics.ask.questions.envelope").curve_of(asked["law"], asked["squaring"])
     if isinstance(found, SpringEnvelope):
         digits = min(digits, MAX_SPRING_DIGITS)
-    names, times = table_head(found), table_times(time, read_points(options))
-    made = list[tuple[str, ...]]()
+    names, made = table_head(found), list[tuple[str, ...]]()
 
     def right() -> Cells:
         return Cells((*names, "code"), tuple(made), names[:1], frozenset({"code"}), method=_METHOD.format(digits))
