@@ -42,7 +42,7 @@ from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number
+from asymptotics.numbers.policy import Number, require_one
 from asymptotics.present.shown import Page
 
 u, a_0 = Symbol("u", positive=True), Symbol("a_0", positive=True)
@@ -119,6 +119,7 @@ class ImplicitSolution(ProvedCurve):
 
     def at(self, time: Number, *, digits: int = 30) -> MotionPoint:
         """A, phi and x at one tau >= 0, in units of x_0, by the numeric inverse; not certified."""
+        require_one(time, "time", "sample(times)")
         return self._motion.at(time, digits)
 
     def at_time(self, oscillator: Oscillator, time: Number, digits: int) -> SolutionPoint:

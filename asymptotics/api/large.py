@@ -38,7 +38,7 @@ from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.double_error import STEP, of_rounding
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number, exact_integer, exact_number
+from asymptotics.numbers.policy import Number, exact_integer, exact_number, require_one
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
@@ -47,7 +47,7 @@ from asymptotics.public import public
 # Refusals alone: each step of a Newton iteration integrates hypergeometric functions to all digits, and at omega_0 t =
 # 10^100 the number of turns itself has a hundred.
 MAX_DIGITS, MAX_TAU = 200, 1e100
-_STEPS = 64  # roundings of a table: sums of 2048 positive panels lose the root of it
+_STEPS = 1024  # roundings of a table, whose sums lose half a last place at each of 2048 panels
 Array = Any
 NOTE = "first order in the loss, exact in the spring"
 
@@ -94,6 +94,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
     @public
     def amplitude(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """The turning amplitude A(t) in m, correctly rounded; "0" from the extinction time on."""
+        require_one(t, "t", "amplitudes(t)")
 
         def metres(seconds: ExactReal) -> arb | ExactReal:
             # At t = 0 the amplitude is x0 itself, exact, and may be a tie or have few digits: a ball would not round.
@@ -106,6 +107,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
     @public
     def phase(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """phi(t) = psi - omega_0 t in rad."""
+        require_one(t, "t", "phases(t)")
         return self._decimal(lambda seconds: self._flow().phase(self._tau(seconds)), t, digits)
 
     @public

@@ -36,7 +36,7 @@ from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
+from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes, require_one
 from asymptotics.present.drawn import Drawn, below
 from asymptotics.present.shown import Page, Rows
 from asymptotics.public import public
@@ -109,6 +109,7 @@ class Motion(Drawn):
     @public
     def at(self, t: Number, *, digits: int | None = None, max_seconds: Number = 60) -> MotionPoint:
         """One time in s; without ``digits`` every value is rounded to the error estimate of x."""
+        require_one(t, "t", "sample(t)")
         time, notes = exact_number(t, "t"), (*self.notes, *float_notes(t=t))
         if digits is not None:
             return self._motion.at(time, exact_integer(digits, "digits", 1, 300)).noted(notes)
@@ -209,6 +210,7 @@ class Reference(Drawn):
     @public
     def at(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> MotionPoint:
         """One time in s to ``digits`` significant digits; ``certified`` and ``method`` say what they are worth."""
+        require_one(t, "t", "sample(t)")
         point = reference_motion(
             self.oscillator,
             exact_number(t, "t"),

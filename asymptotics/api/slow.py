@@ -41,7 +41,7 @@ from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number, exact_integer
+from asymptotics.numbers.policy import Number, exact_integer, require_one
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
 from asymptotics.public import public
@@ -70,11 +70,13 @@ class Envelope(SlowNumbers, Drawn):
     @public
     def amplitude(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """A(t) in m, correctly rounded; "0" from the extinction time of the averaged law on."""
+        require_one(t, "t", "amplitudes(t)")
         return self._law.amplitude(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
     def phase(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """phi(t) in rad, turning-point gauge."""
+        require_one(t, "t", "phases(t)")
         return self._law.phase(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
@@ -117,6 +119,7 @@ class Envelope(SlowNumbers, Drawn):
         >>> envelope({2: "1/10"}).at_order(7, 3, digits=9)
         ('0.770941859', '-0.00899449816')
         """
+        require_one(t, "t", "columns(t, order=N)")
         series = self.series(order, digits=digits)
         return amplitude_and_phase(series, self.oscillator, time_of(t), exact_integer(digits, "digits", 1, MAX_DIGITS))
 

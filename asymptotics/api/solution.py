@@ -75,7 +75,7 @@ from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number, exact_double, exact_integer, exact_number
+from asymptotics.numbers.policy import Number, exact_double, exact_integer, exact_number, require_one
 from asymptotics.present.shown import Page
 from asymptotics.public import public
 from asymptotics.series import Key, Series
@@ -256,6 +256,7 @@ class Solution(ProvedCurve):
 
         InputError without a strength.
         """
+        require_one(time, "time", "sample(times)")
         number, D = to_sympy(time_of(time)), exact_integer(digits, "digits", 1, MAX_DIGITS)
         return _rounded(*numbers(self, number, D), D)
 

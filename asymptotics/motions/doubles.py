@@ -18,8 +18,9 @@ from asymptotics.numbers.double_error import EPS, STEP, of_rounding
 
 # Rows of the table for 4096 times fit into the cache; the value changes the speed alone.
 _CHUNK = 1 << 12
-_STEPS, _WAVEFORM = 64, 3e-13
-"""Roundings of the slow table, whose sums of 2048 positive panels lose the root of it; what ``WaveformTable`` loses."""
+_STEPS, _WAVEFORM = 1024, 3e-13
+"""Roundings of the slow table, whose sums lose half a last place at each of 2048 panels (equal ones all to one side);
+what ``WaveformTable`` loses."""
 FAR = 2.0
 """The amplitude at the start is the radius of the starting point up to O(delta): a factor e^2 is no correction."""
 Array = Any

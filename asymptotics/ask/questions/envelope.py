@@ -258,9 +258,9 @@ def _series(found: Curve, order: int, digits: int) -> EnvelopeSeries:
     if isinstance(found, SpringEnvelope):
         raise InputError("order", "it is not known beside a spring", "one law alone")
     if found.averaging == SQUARING:
-        raise InputError("order", "the squaring trick has no higher orders", "the command without --squaring")
+        raise InputError("order", "the squaring trick has no higher orders", "--squaring left out")
     if not found.oscillator.v0.is_zero:
-        raise InputError("order", "it starts at rest", "the command without --v0; other starts: motion --order N")
+        raise InputError("order", "it starts at rest", "a start at rest; other starts: the motion of that order")
     return found.series(order, digits=digits)
 
 

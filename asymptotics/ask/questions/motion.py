@@ -149,7 +149,10 @@ def _as_reference(point: Mapping[str, str], digits: int) -> dict[str, str]:
         again=Again(at=_as_reference, judged=("x", "v"), route="the certified motion at each row"),
         certificate=_certificate,
         rows_done=_rows_done,
-        lacks={"latex": "the answer is numbers at one time; `expand --latex` has the equations"},
+        lacks={
+            "latex": "the answer is numbers at one time; `expand --latex` has the equations",
+            "force": "driven motion is not served: the oscillator is left to itself after its start",
+        },
     ),
     name="motion",
     swept=True,
