@@ -34,7 +34,7 @@ MADE = {
     "Motion": [lambda: asy.motion(OSC), lambda: asy.motion(OSC).at(7), lambda: asy.motion(OSC).sample([0.0, np.nan]),
                lambda: asy.motion({2: "1/10"}).uniform_bound()],
     "Oscillator": [lambda: OSC, lambda: OSC.dimensionless, lambda: PENDULUM],
-    "OscillatorTurningPoints": [lambda: asy.turning_points(OSC, 3), lambda: asy.turning_points(OSC, 3).points[0]],
+    "TurningPoints": [lambda: asy.turning_points(OSC, 3), lambda: asy.turning_points(OSC, 3).points[0]],
     "PaperStatement": [lambda: asy.paper("smith2012:43")],
     "PhysicalLaw": [lambda: OSC.law],
     "Reference": [lambda: asy.reference(OSC), lambda: asy.reference(OSC).at(1, digits=8),

@@ -27,7 +27,7 @@ from asymptotics.ask.answers import FLAGS, Offers
 from asymptotics.ask.kinds import SECONDS, Kind, Option
 from asymptotics.errors import InputError
 from asymptotics.numbers.policy import float_notes
-from asymptotics.public import public, public_beside_others
+from asymptotics.running.public import public, public_beside_others
 
 P = ParamSpec("P")
 T = TypeVar("T")

@@ -16,7 +16,6 @@ from math import log2
 from pathlib import Path
 from typing import Any
 
-from asymptotics.budget import DEFAULT_SECONDS, budget
 from asymptotics.certificates.claims import Claim, error_allowed, exact_time, last_number
 from asymptotics.certificates.equation import Equation
 from asymptotics.certificates.known import Known, known_before, known_turning_points
@@ -25,6 +24,7 @@ from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
+from asymptotics.running.budget import DEFAULT_SECONDS, budget
 from asymptotics.testing.check_certificate import FORMAT, RefusedError, check
 
 _NOISE = 26  # bits that the second derivatives of rounded coefficients lose, about

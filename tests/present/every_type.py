@@ -58,8 +58,6 @@ SAMPLES = {
     "api.slow_series.EnvelopeSeries": "asy.envelope({2: '1/10'}).series(3)",
     "api.slowness.SlowPart": "asy.envelope(osc).slow('1/50')",
     "api.solution.Solution": "asy.solution({2: '1/10'}, order=3)",
-    "curves.turning_points.OscillatorTurningPoints": "points",
-    "curves.turning_points.OscillatorTurningPoint": "points.points[1]",
     "api.waves.Waveforms": "asy.waveforms('3/2', order=3)",
     "bounds.reach.Reach": "asy.solution({1: '1/10', 2: '1/20'}, order=1).proved_until('1/2')",
     "bounds.remainder.ExpansionBounds": "asy.remainder(2, order=2)",

@@ -6,13 +6,6 @@ from typing import Annotated, Any, cast
 
 import sympy
 
-from asymptotics.api.envelope_compared import compared_envelope
-from asymptotics.api.envelope_order import acting_term, amplitude_and_phase
-from asymptotics.api.envelope_table import Curve, envelope_table, table_times
-from asymptotics.api.large import SpringEnvelope
-from asymptotics.api.slow import MAX_DIGITS, envelope
-from asymptotics.api.slow_series import MAX_ORDER, EnvelopeSeries
-from asymptotics.api.slowness import SlowPart
 from asymptotics.ask.answers import Again, Offers, Request, read_points
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, digits, whole
 from asymptotics.ask.laws import MOVES
@@ -20,7 +13,14 @@ from asymptotics.ask.moving import OVERLAY, TIME, Given, overlaid, require_stret
 from asymptotics.ask.question import question
 from asymptotics.ask.registry import loaded
 from asymptotics.ask.typed import typed_options
-from asymptotics.comparison.run import Comparison
+from asymptotics.curves.envelope_compared import compared_envelope
+from asymptotics.curves.envelope_order import acting_term, amplitude_and_phase
+from asymptotics.curves.envelope_table import Curve, envelope_table, table_times
+from asymptotics.curves.large import SpringEnvelope
+from asymptotics.curves.slow import MAX_DIGITS, envelope
+from asymptotics.curves.slow_series import MAX_ORDER, EnvelopeSeries
+from asymptotics.curves.slowness import SlowPart
+from asymptotics.decays.comparison.run import Comparison
 from asymptotics.envelopes.symbolic import MEAN, SQUARING
 from asymptotics.errors import InputError
 from asymptotics.law import LawLike, Oscillator

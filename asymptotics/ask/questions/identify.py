@@ -10,17 +10,17 @@ from typing import Annotated, Any
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, POSITIVE, SECONDS, TEXT, Kind, Option, whole
 from asymptotics.ask.question import question
+from asymptotics.decays.identification.identify import identified
+from asymptotics.decays.identification.telling.html_report import html_report
+from asymptotics.decays.identification.telling.in_text import told
+from asymptotics.decays.identification.telling.result import Identification
+from asymptotics.decays.records.columns import KINDS
+from asymptotics.decays.records.sources import How
+from asymptotics.decays.records.units import UNITS
 from asymptotics.errors import InputError, shown
-from asymptotics.identification.identify import identified
-from asymptotics.identification.telling.html_report import html_report
-from asymptotics.identification.telling.in_text import told
-from asymptotics.identification.telling.result import Identification
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import Number, exact_double
 from asymptotics.present.inputs import csv_text
-from asymptotics.records.columns import KINDS
-from asymptotics.records.sources import How
-from asymptotics.records.units import UNITS
 
 _DATA, _LAW = "the data", "the law"
 MOST_SKIPPED = 100_000

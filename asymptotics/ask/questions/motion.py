@@ -4,9 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, cast
 
-from asymptotics.api.double_errors import of_motion
-from asymptotics.api.motion_table import motion_table, reference_is_near
-from asymptotics.api.motions import Motion, Reference
 from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.laws import MOVES_OR_RESTS
@@ -15,6 +12,9 @@ from asymptotics.ask.question import question
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.certificates.of_results import of_states
+from asymptotics.curves.double_errors import of_motion
+from asymptotics.curves.motion_table import motion_table, reference_is_near
+from asymptotics.curves.motions import Motion, Reference
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.expansions.divergence.truncation import BestOrder
 from asymptotics.expansions.equations.build import expand

@@ -9,13 +9,13 @@ from typing import Annotated, Any
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, SECONDS, Kind, choice
 from asymptotics.ask.question import question
-from asymptotics.budget import tick
-from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.policy import Number
 from asymptotics.papers.lookup import SHORTFALLS, VERDICTS, find, has_verdict, statements
 from asymptotics.papers.lookup import papers as known_papers
 from asymptotics.papers.statement import PaperStatement
+from asymptotics.running.budget import tick
+from asymptotics.running.cut_short import keeping
 
 
 def _words(value: Any, name: str) -> str:

@@ -5,16 +5,16 @@ from typing import Annotated, Any, cast
 
 import numpy as np
 
-from asymptotics.api.double_errors import of_solution
-from asymptotics.api.implicit import ImplicitSolution
-from asymptotics.api.shown_solution import SolutionPoint
-from asymptotics.api.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, SECONDS, Option, choice, digits, whole
 from asymptotics.ask.laws import MOVES_OR_FORMULAS
 from asymptotics.ask.moving import OVERLAY, TIME, Given, overlaid, require_stretch
 from asymptotics.ask.question import question
 from asymptotics.bounds.motion import proved_bound
+from asymptotics.curves.double_errors import of_solution
+from asymptotics.curves.implicit import ImplicitSolution
+from asymptotics.curves.shown_solution import SolutionPoint
+from asymptotics.curves.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
 from asymptotics.errors import InputError
 from asymptotics.law import LawLike, Oscillator
 from asymptotics.numbers.exact import ExactReal

@@ -5,13 +5,13 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
-from asymptotics.api.units import law_of
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import SECONDS, Kind, Option, choice, digits, whole
 from asymptotics.ask.question import question
 from asymptotics.errors import InputError
 from asymptotics.law import Law, LawLike
+from asymptotics.law_given import law_of
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.numbers.rounding import MODES
@@ -187,7 +187,7 @@ def table(
     InputError
         for a name that no table has, and for what changes nothing in the table
     LimitError
-        with the estimate; the rows that were done are kept (``asymptotics.cut_short.done``)
+        with the estimate; the rows that were done are kept (``asymptotics.running.cut_short.done``)
 
     Examples
     --------
