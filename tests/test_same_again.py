@@ -66,7 +66,7 @@ MADE = {
     "sweep": [],
     "table": [lambda: asy.table("smith2012.table1", digits=8)],
     "table_names": [asy.table_names],
-    "turning_points": [lambda: asy.turning_points({2: 1}, 3)],
+    "turning_points": [lambda: asy.turning_points({2: 1}, 3), lambda: asy.turning_points({2: 1}, 3).certificate()],
     "waveforms": [lambda: asy.waveforms("3/2", order=2), lambda: asy.solution({2: "1/10"}).waveforms],
 }  # fmt: skip
 # Their results are those of another name; what they return besides is None, a figure or a text; and errors are their

@@ -27,6 +27,7 @@ from asymptotics.ask.answers import FLAGS, Offers
 from asymptotics.ask.kinds import SECONDS, Kind, Option
 from asymptotics.errors import InputError
 from asymptotics.numbers.policy import float_notes
+from asymptotics.running.budget import DEFAULT_SECONDS
 from asymptotics.running.public import public, public_beside_others
 
 P = ParamSpec("P")
@@ -119,6 +120,10 @@ class Question:
             group = parser.add_argument_group(title)
             for option in (o for o in options if o.group == title and not o.place):
                 option.add_to(group)
+        for a in self.asked:
+            # The shell times a request before its values are read: a question with a time of its own says so here.
+            if a.name == "max_seconds" and a.default not in (None, DEFAULT_SECONDS):
+                parser.set_defaults(max_seconds=str(a.default))
         if refuse is not None:
             for name, reason in self.offers.lacks.items():
                 count: Any = 0 if name in FLAGS else "?"

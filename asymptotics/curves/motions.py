@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.costs import require_affordable
+from asymptotics.curves.proved_states import ProvedStates
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import LawLike, Oscillator
@@ -194,7 +195,7 @@ class Motion(Drawn):
 
 
 @dataclass(frozen=True, repr=False)
-class Reference(Drawn):
+class Reference(ProvedStates, Drawn):
     """The motion without expansion: exact solutions where there are any, else certified or high-precision steps."""
 
     oscillator: Oscillator

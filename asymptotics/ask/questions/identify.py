@@ -10,6 +10,7 @@ from typing import Annotated, Any
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, POSITIVE, SECONDS, TEXT, Kind, Option, whole
 from asymptotics.ask.question import question
+from asymptotics.decays.identification.forward.work import PATIENCE
 from asymptotics.decays.identification.identify import identified
 from asymptotics.decays.identification.telling.html_report import html_report
 from asymptotics.decays.identification.telling.in_text import told
@@ -124,7 +125,7 @@ def identify(
     omega_0: Annotated[Number | None, POSITIVE.called(letter="W", option="omega0", group=_LAW)] = None,
     noise: Annotated[Number | None, POSITIVE.called(letter="S", group=_DATA)] = None,
     bootstrap: Annotated[bool, BOOTSTRAP] = True,
-    max_seconds: Annotated[Number, SECONDS] = 60,
+    max_seconds: Annotated[Number, SECONDS.called(default=str(PATIENCE))] = PATIENCE,
 ) -> Identification:
     """Which damping law is it?  From a measured decay to exponents, strengths and honest intervals.
 
@@ -193,6 +194,8 @@ def identify(
     acceleration, turning-points or decrement; ``unit`` m, cm, mm, rad, deg, and of time too: "mm,ms".
     epsilon_i refers to x0 = 1 unit of the data: x'' + x + sum epsilon_i x'|x'|^(alpha_i - 1) = 0 in the time omega_0 t;
     b or b/m is given as far as ``mass``, ``stiffness``, ``omega_0`` or the times tell it.
+    What is judged is a matter of counted work (a minute of an ordinary core, or a tenth of ``max_seconds`` where that
+    is more), so that a verdict does not depend on how busy the machine is; what a limit cuts off is undecided.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 """A file of somebody's values, compared: every value with its right digits, and what the errors look like together.
 
 >>> import tempfile
->>> from asymptotics.law import Oscillator
+>>> from asymptotics.law import Oscillator, of_unit_start
 >>> path = Path(tempfile.mkdtemp()) / "mine.csv"
 >>> _ = path.write_text("n,x\\n0,1\\n1,-0.4107197\\n2,0.2635711\\n")
 >>> found = compare_file(path, Oscillator({2: 1}))
@@ -15,7 +15,7 @@
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
@@ -24,6 +24,8 @@ from typing import Any
 
 import numpy as np
 
+from asymptotics.certificates.certificate import Certificate
+from asymptotics.decays.comparison.certified import MotionBeside
 from asymptotics.decays.comparison.digits import judged, significant
 from asymptotics.decays.comparison.errors import Errors, of_motion, of_turning_points
 from asymptotics.decays.comparison.order import order_of, told_order
@@ -31,16 +33,18 @@ from asymptotics.decays.comparison.quick_look import Look, look_of
 from asymptotics.decays.comparison.reading import Columns, Sheet, as_double, read_sheet
 from asymptotics.decays.comparison.truth import Truth, at_envelope, at_times, at_turning_points
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.law import Oscillator
+from asymptotics.law import Oscillator, of_unit_start
 from asymptotics.numbers.digits import spread
 from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.policy import Number
 from asymptotics.present.double_errors import stated_errors
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.figures import counted
 from asymptotics.present.inputs import csv_text
 from asymptotics.present.shown import Page, Rows, Shown
 from asymptotics.running.cut_short import changed
+from asymptotics.running.public import public
 from asymptotics.turning.choose import turning_points
 
 MAX_DIGITS, MAX_N = 1000, 10**30
@@ -85,12 +89,32 @@ class ComparedValue(Shown):
 
 @dataclass(frozen=True, repr=False)
 class Comparison(Rows, Drawn):
-    """All values of a file beside the truth; ``certified`` is whether every value beside them is."""
+    """All values of a file beside the truth; ``certified`` is whether every value beside them is.
+
+    ``side``: what the certified values are of, where there is a certificate of it: a motion, a table, another result.
+    """
 
     rows: tuple[ComparedValue, ...]
     summary: dict[str, Any]
     certified: bool
     method: str
+    side: Any = field(default=None, compare=False)
+
+    @public
+    def certificate(self, *, max_seconds: Number = 60) -> Certificate:
+        """A file from which ``check_certificate.py`` proves the certified values: turning points, x and v at times.
+
+        InputError for a comparison with anything else, and with estimates.
+        """
+        if not self.certified:
+            raise InputError("certificate", "what stands beside is an estimate", "certified values")
+        if isinstance(self.side, MotionBeside):
+            return self.side.certificate(self.rows)
+        if not hasattr(self.side, "certificate"):
+            reason = "what stands beside is neither turning points nor a motion at times"
+            raise InputError("certificate", reason, "a comparison with turning points, x or v, or a table of them")
+        made: Certificate = self.side.certificate()
+        return made
 
     def _page(self) -> Page:
         summary, look = self.summary, self.summary["look"]
@@ -171,6 +195,10 @@ def compare_file(
         if not values or (left and columns is not None):
             raise InputError("columns", "at a time there are x and v", "tau,x  or  tau,x,v  or  tau,amplitude,phase")
 
+    # Without units turning points are in those of the start, and a motion is that of the law alone.
+    unit = of_unit_start(oscillator.dimensionless) if key == "n" and not si else Oscillator(oscillator.law)
+    side = MotionBeside(oscillator if si else unit)
+
     def compared(sheet: Sheet, truth: Truth, look: Callable[[Sequence[ComparedValue]], Look]) -> Comparison:
         rows = _rows(sheet, truth, key, values, wanted, si, doubles)
         summary = summary_of(rows, look(rows))
@@ -178,7 +206,7 @@ def compare_file(
         summary |= {"ended": truth.ended} if truth.ended else {}
         summary |= {"not_compared": left} if left else {}
         summary |= told_doubles(doubles, values)
-        return Comparison(rows, summary, truth.certified, truth.method)
+        return Comparison(rows, summary, truth.certified, truth.method, side)
 
     def so_far(truth: Truth) -> Comparison:
         places = range(len(sheet.lines)) if truth.places is None else truth.places

@@ -35,15 +35,16 @@ def load(source: Any, kind: str | None = None, unit: str = "", how: How | None =
             _require_few(source.last, source.name or "n")
         return [source]
     table = read_table(source, kind, unit, how)
-    if table.kind in ("record", "velocity", "acceleration"):
-        return _motions(table.whole())
-    return [_turning_points(table) if table.kind == "turning-points" else _decrements(table)]
+    if table.kind == "decrement":
+        return [_decrements(table)]
+    found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole())
+    return [replace(run, time_unit=table.clock) for run in found]
 
 
-def _motions(table: RecordTable) -> list[Run]:
+def _motions(table: RecordTable) -> list[Observations]:
     t = table.columns["t"]
     pieces = runs_of(t)
-    found: list[Run] = []
+    found: list[Observations] = []
     for number, places in enumerate(pieces, start=1):
         run = table.kept(places) if len(pieces) > 1 else table
         if len(pieces) > 1:
@@ -54,7 +55,7 @@ def _motions(table: RecordTable) -> list[Run]:
     return found
 
 
-def _decays(run: RecordTable) -> list[Run]:
+def _decays(run: RecordTable) -> list[Observations]:
     """Each release of a run, without the samples that are spikes."""
     column = "xva"[_order(run)]
     t, x, rows, notes = straightened(run.columns["t"], run.columns[column], run.rows)
@@ -65,7 +66,7 @@ def _decays(run: RecordTable) -> list[Run]:
         notes = (*notes, f"{int(wild.sum())} samples far from their neighbours left out, the first is {first}")
         t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
     said = (*run.notes, *notes, *sensor_notes(t, x))
-    parts, found = releases(t, x), list[Run]()
+    parts, found = releases(t, x), list[Observations]()
     for number, places in enumerate(parts, start=1):
         own, told = rows if len(places) == len(t) else rows.kept(places), said
         if len(places) < len(t):

@@ -35,13 +35,15 @@ _TOLERATED = 0.1
 
 @dataclass(frozen=True)
 class RecordTable:
-    """Columns of equal length, by their names in the contract; ``unit``: of x; ``rows``: where they stand."""
+    """Columns of equal length, by their names in the contract; ``unit``: of x; ``rows``: where they stand; ``clock``:
+    the unit of time in the file (the times themselves are in s)."""
 
     kind: str
     columns: dict[str, Array]
     unit: str
     rows: RowPlaces
     notes: tuple[str, ...] = ()
+    clock: str = "s"
 
     def kept(self, keep: NDArray[np.bool_] | NDArray[np.intp], *notes: str) -> "RecordTable":
         """Some of the rows, and why."""
@@ -188,11 +190,13 @@ def _readable(table: RecordTable, unread: Unread, given: Source) -> RecordTable:
 
 
 def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time: str) -> RecordTable:
-    columns, notes = dict(table.columns), list(table.notes)
+    columns, notes, clock = dict(table.columns), list(table.notes), "s"
     for column in ("t", "tau"):
         if column in columns:
             # Times become seconds; x keeps its unit, to which strengths refer.
-            columns[column] = columns[column] * seconds(given.names[choice.places[column]], given.name, time)
+            size = seconds(given.names[choice.places[column]], given.name, time)
+            columns[column] = columns[column] * size
+            clock = next(name for name, known in SECONDS.items() if known == size)
     measured = [
         given.names[choice.places[c]] for c in ("x", "v", "a", "amplitude", "decrement", "resolution") if c in columns
     ]
@@ -204,4 +208,4 @@ def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time
         other = standard(suffix(name))
         if other and not found:
             notes.append(f"the unit {other!r} of {name!r} is none of {', '.join(UNITS)}: strengths refer to 1 {other}")
-    return replace(table, columns=columns, unit=found, notes=tuple(notes))
+    return replace(table, columns=columns, unit=found, notes=tuple(notes), clock=clock)
