@@ -1,7 +1,7 @@
 """Which damping law is it: from a measured decay to exponents, strengths and intervals."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
@@ -18,7 +18,7 @@ from asymptotics.decays.identification.telling.result import Identification
 from asymptotics.decays.records.columns import KINDS
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import UNITS
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import Number, exact_double
 from asymptotics.present.inputs import csv_text
@@ -44,7 +44,23 @@ def _kept(options: argparse.Namespace) -> bool:
     return not options.no_bootstrap
 
 
-RUNS = Kind("FILE", lambda data, _: data, place=True, several=True, words=True, schema={"type": "string"})
+def _runs(data: Any, name: str, x: Any = None) -> Any:
+    """The data as they are; with an array ``x`` beside an array of times the two are one record."""
+    if x is None:
+        return data
+    columns = {}
+    for argument, given in ((name, data), ("x", x)):
+        if isinstance(given, str | Path | Mapping) or hasattr(given, "read"):
+            reason = f"{shown(given)} is no column beside another one"
+            raise InputError(argument, reason, "identify(t, x) of two arrays; identify([run, run]) of several runs")
+        columns[argument] = real_array(given, argument)
+        if columns[argument].ndim != 1:
+            raise InputError(argument, f"its shape is {columns[argument].shape}", "a column of numbers")
+    return tuple(columns.values())
+
+
+RUNS = Kind("FILE", _runs, place=True, several=True, words=True, schema={"type": "string"}, beside=("x",))
+BESIDE = Kind("", lambda value, _: value, words=True, in_shell=False)
 KIND = TEXT.called(letter="KIND", group=_DATA, told=f": {', '.join(KINDS)}; default: found from the columns")
 UNIT = TEXT.called(letter="U", group=_DATA, told=f": {', '.join(UNITS)}; with milliseconds: mm,ms")
 WORDS = Kind("LAW", lambda words, _: words, words=True, several=True)
@@ -92,6 +108,7 @@ def _page(found: Identification, request: Request) -> str:
 )  # fmt: skip
 def identify(
     data: Annotated[Any, RUNS],
+    x: Annotated[Any, BESIDE] = None,
     *,
     kind: Annotated[str | None, KIND] = None,
     unit: Annotated[str, UNIT] = "",
@@ -129,6 +146,8 @@ def identify(
     ----------
     data
         a table of any layout, xlsx, parquet, npz, mat; several: several runs
+    x
+        the column beside an array of times: ``identify(t, x)``
     kind
         what the columns are
     unit
@@ -174,7 +193,7 @@ def identify(
     Notes
     -----
     ``data`` is a file (a text table of any layout, xlsx, parquet, npz, mat), an open one, a data frame, a mapping of
-    columns, two arrays ``(t, x)``, observations, or a list of several runs.  ``kind`` is record, velocity,
+    columns, two arrays ``t, x`` or ``(t, x)``, observations, or a list of several runs.  ``kind`` is record, velocity,
     acceleration, turning-points or decrement; ``unit`` m, cm, mm, rad, deg, and of time too: "mm,ms".
     epsilon_i refers to x0 = 1 unit of the data: x'' + x + sum epsilon_i x'|x'|^(alpha_i - 1) = 0 in the time omega_0 t;
     b or b/m is given as far as ``mass``, ``stiffness``, ``omega_0`` or the times tell it.

@@ -10,6 +10,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -95,9 +96,16 @@ def identified(
 
 def _sources(data: Any) -> list[Any]:
     """Several runs, or one; two arrays of numbers are one, (t, x)."""
-    if isinstance(data, tuple) and len(data) == 2 and all(isinstance(d, np.ndarray) and d.ndim == 1 for d in data):
+    if isinstance(data, tuple) and len(data) == 2 and all(map(_is_column, data)):
         return [{"t": data[0], "x": data[1]}]
     return list(data) if isinstance(data, list | tuple) else [data]
+
+
+def _is_column(data: Any) -> bool:
+    """A list of numbers, or an array or a series of one dimension."""
+    if isinstance(data, list | tuple):
+        return bool(data) and all(isinstance(value, Real) for value in data)
+    return getattr(data, "ndim", None) == 1 and hasattr(data, "dtype")
 
 
 def _in_range(run: Observations | Decrements, amplitudes: tuple[float, float] | None) -> Observations | Decrements:
