@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from asymptotics.ask.questions.identify import identify
     from asymptotics.ask.questions.limit_cycle import limit_cycle
     from asymptotics.ask.questions.moment import moment
+    from asymptotics.ask.questions.response import response
     from asymptotics.ask.questions.stokes import stokes
     from asymptotics.ask.questions.sweep import sweep_command
     from asymptotics.ask.questions.table import table
@@ -66,6 +67,7 @@ _HOMES = {
     "ask.questions._damping_law": ("damping_law",),
     "ask.questions.compare": ("compare",),
     "ask.questions.damping": ("damping",),
+    "ask.questions.response": ("response",),
     "ask.questions.stokes": ("stokes",),
     "ask.questions.derive": ("derive",),
     "expansions.multiple_scales.hierarchy": ("any_start", "map_of_gauges", "multiple_scales"),
@@ -146,6 +148,7 @@ __all__ = [
     "radii",
     "reference",
     "remainder",
+    "response",
     "solution",
     "statements",
     "stokes",

@@ -39,6 +39,7 @@ LINES = {
     "papers": "papers smith2012:43",
     "smith": "smith f --n 3",
     "solution": "solution --alpha 2 --epsilon 1/10 --order 2 --time 2",
+    "response": "response --law 2:1/10 --force 1/5 --omega 1 --digits 5",
     "stokes": "stokes --alpha 0",
     "sweep": "sweep moment --p 1,2 --workers 1 --store {folder}/store",
     "table": "table moments --alpha 1 --digits 5",

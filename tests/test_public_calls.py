@@ -101,6 +101,7 @@ FUNCTIONS = {
     "remainder": {"law": 2, "order": 2}, "reference": {"law": OSC}, "solution": {"law": {2: "1/10"}, "order": 2},
     "waveforms": {"law": "3/2", "order": 2},
     "statements": {}, "table": {"name": "smith2012.table1", "digits": 9}, "table_names": {},
+    "response": {"law": {2: "1/10"}, "force": "1/5", "omega": 1, "digits": 5},
     "stokes": {"alpha": 0}, "turning_points": {"law": {2: 1}, "count": 2, "digits": 9},
 }  # fmt: skip
 ELSEWHERE = {

@@ -69,6 +69,7 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "decays.identification.certified_sets",
     "decays.identification.telling",
     "decays.identification",
+    "driven",
     "curves",
     "ask",
     "ask.questions",

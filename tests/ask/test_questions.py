@@ -27,6 +27,7 @@ CHEAP = {  # a request that is answered at once; what is asked of it is changed 
     "stokes": "--alpha 0",
     "moment": "--p 2 --digits 5",
     "limit-cycle": "--law 1:-1 --law 1,2:1 --order 2 --digits 5",
+    "response": "--law 2:1/10 --force 1/5 --omega 1 --digits 5",
     "turning-points": "--alpha 2 --epsilon 1/10 --count 1 --digits 5",
     "half-swing": "--alpha 2 --order 1 --digits 5",
     "expand": "--alpha 2 --order 1 --digits 5",

@@ -63,6 +63,7 @@ DIGITS = {
     "api S": lambda d: asymptotics.S(1, 0, digits=d),
     "api T": lambda d: asymptotics.T(1, "-1/4", digits=d),
     "api radii": lambda d: asymptotics.radii("1/2", digits=d),
+    "api response": lambda d: asymptotics.response({1: "1/10"}, "1/5", "3/4", digits=d),
     "api stokes": lambda d: asymptotics.stokes(0, digits=d),
     "api damping": lambda d: asymptotics.damping({2: "1/10"}, 1, motion=False, digits=d),
     "api limit_cycle": lambda d: asymptotics.limit_cycle({1: -1, (1, 2): 1}, order=2, digits=d),
@@ -121,7 +122,7 @@ INTERNAL = {  # helpers whose digits come from the functions above
     "asymptotics.curves.envelope_order",
     "asymptotics.curves.envelope_table", "asymptotics.certificates", "asymptotics.curves.started",
     "asymptotics.expansions.multiple_scales.rates", "asymptotics.curves",
-    "asymptotics.ask",  # read by their kinds: tests/ask
+    "asymptotics.driven", "asymptotics.ask",  # read by their kinds: tests/ask
 }  # fmt: skip
 
 

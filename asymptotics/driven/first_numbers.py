@@ -1,0 +1,92 @@
+"""The numbers of first order, correctly rounded.
+
+>>> from asymptotics.law import Oscillator
+>>> found = first_order_of(Drive.read(Oscillator({1: "1/10"}), "1/5", 1), 5)
+>>> found.amplitude, found.phase, found.c_eq, found.resonance["Q_width"]
+('2.0000', '1.5708', '0.10000', '10.000')
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from flint import arb
+
+from asymptotics.driven import first_order, linear
+from asymptotics.driven.drive import Drive
+from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.running.budget import tick
+
+MAX_BITS = 1 << 12
+"""Where a number is not rounded by then it lies on a tie, and UndecidedError says so."""
+Value = arb | ExactReal
+
+
+@dataclass(frozen=True)
+class FirstOrder:
+    """x = amplitude cos(theta - phase) to first order, and what belongs to it; every number is that of the formula.
+
+    ``c_eq``: the viscous damping that takes the same; ``resonance``: the amplitude at omega_0, and Q there of the decay
+    and of the half-power width (to leading order in the loss); ``peak``: the largest amplitude and its Omega, None
+    where an exponent is below 1 or the amplitude falls from Omega = 0 on.
+    """
+
+    amplitude: str
+    phase: str
+    c_eq: str
+    resonance: dict[str, str] | None
+    peak: dict[str, str] | None
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready."""
+        return dict(vars(self))
+
+
+def first_order_of(drive: Drive, digits: int) -> FirstOrder:
+    """The numbers of first order, correctly rounded."""
+    tick("first order")
+
+    def told(evaluate: Callable[[], Value]) -> str:
+        return certified_decimal(evaluate, digits, max_bits=MAX_BITS)
+
+    def A() -> arb:
+        return first_order.amplitude(drive.balls())
+
+    if linear.is_linear(drive):
+        amplitude, c_eq = told(lambda: linear.exact(drive).amplitude), told(lambda: _strength(drive))
+    else:
+        amplitude, c_eq = told(A), told(lambda: first_order.damping(drive, A()))
+    phase = told(lambda: first_order.phase(drive.balls(), A()))
+    return FirstOrder(amplitude, phase, c_eq, _resonance(drive, told), _peak(drive, told))
+
+
+def _strength(drive: Drive) -> Value:
+    b = drive.losses[0].strength
+    return b if isinstance(b, ExactReal) else b.ball()
+
+
+def _resonance(drive: Drive, told: Callable[[Callable[[], Value]], str]) -> dict[str, str] | None:
+    # Dry friction alone does not bound the amplitude there.
+    if all(a.is_zero for a in drive.alphas):
+        return None
+
+    def A() -> arb:
+        return first_order.amplitude(drive.balls_at_resonance())
+
+    def Q(i: int) -> arb:
+        return first_order.quality(drive, A())[i]
+
+    return {"amplitude": told(A), "Q_decay": told(partial(Q, 0)), "Q_width": told(partial(Q, 1))}
+
+
+def _peak(drive: Drive, told: Callable[[Callable[[], Value]], str]) -> dict[str, str] | None:
+    if first_order.peak(drive) is None:
+        return None
+
+    def number(i: int) -> arb:
+        found = first_order.peak(drive)
+        return arb.nan() if found is None else found[i]
+
+    return {"amplitude": told(partial(number, 0)), "omega": told(partial(number, 1))}

@@ -1,0 +1,130 @@
+"""The driven response as correctly rounded decimals: first order in closed form, and the orbit itself, certified.
+
+>>> from asymptotics.law import Oscillator
+>>> found = respond(Drive.read(Oscillator({2: "1/10"}), "1/5", 1), 8)
+>>> found.amplitude, found.x0, found.v0, found.phase, found.first_order.amplitude
+('1.5355181', '-0.0043810046', '1.5341700', '1.5767567', '1.5349901')
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from flint import acb, arb
+
+from asymptotics.driven import linear
+from asymptotics.driven.drive import Drive
+from asymptotics.driven.first_numbers import MAX_BITS, FirstOrder, Value, first_order_of
+from asymptotics.driven.orbit import orbit
+from asymptotics.driven.shown import ResponsePage
+from asymptotics.errors import LimitError
+from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of
+from asymptotics.numbers.precision import TooWideError, at_growing_precision
+
+MAX_DIGITS = 200
+HARMONICS = (1, 3)
+
+
+@dataclass(frozen=True, repr=False)
+class Response(ResponsePage):
+    """The one periodic response: ``amplitude`` its largest |x|, ``x0`` and ``v0`` its state at t = 0, where the force
+    is f; ``phase``: by how much its first harmonic lags behind the force; ``energy``: what it takes in a cycle;
+    ``harmonics``: n -> amplitude and phase of A_n cos(n theta - phase_n).
+
+    Not ``certified``: these are None, and ``notes`` say why; the first order is there.
+    """
+
+    drive: Drive
+    digits: int
+    first_order: FirstOrder
+    amplitude: str | None = None
+    x0: str | None = None
+    v0: str | None = None
+    phase: str | None = None
+    energy: str | None = None
+    harmonics: dict[str, dict[str, str]] | None = None
+    certified: bool = False
+    method: str = "first order alone"
+    notes: tuple[str, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: the contract of ``asymptotics response --json``."""
+        names = ("amplitude", "x0", "v0", "phase", "energy", "harmonics")
+        law = self.drive.oscillator.law
+        return {
+            "law": str(law), "force": str(self.drive.force), "omega": str(self.drive.omega),
+            **{name: getattr(self, name) for name in names}, "first_order": self.first_order.to_dict(),
+            "digits": self.digits, "certified": self.certified, "method": self.method, "notes": list(self.notes),
+        }  # fmt: skip
+
+
+def respond(drive: Drive, digits: int) -> Response:
+    """First order, and the response itself where it is served: every exponent 1 or more, one turn in half a period."""
+    first, notes = first_order_of(drive, digits), drive.oscillator.notes
+    if linear.is_linear(drive):
+        return Response(drive, digits, first, **_linear(drive, digits), notes=notes)
+    if any(a < 1 for a in drive.alphas):
+        reason = "the response itself is proved for exponents from 1 on: this law is served to first order alone"
+        return Response(drive, digits, first, notes=(*notes, reason))
+    try:
+        told = at_growing_precision(lambda _: _orbit(drive, digits), digits, bits_for(digits, 48), max_bits=MAX_BITS)
+    except LimitError as error:
+        # The time of the request is no property of the response.
+        if error.argument == "max_seconds":
+            raise
+        return Response(drive, digits, first, notes=(*notes, f"first order alone: {error.reason}"))
+    return Response(drive, digits, first, **told, notes=notes)
+
+
+def _linear(drive: Drive, digits: int) -> dict[str, Any]:
+    """The closed form: the response is its first harmonic."""
+
+    def told(evaluate: Callable[[], Value]) -> str:
+        return certified_decimal(evaluate, digits, max_bits=MAX_BITS)
+
+    numbers = {
+        "amplitude": told(lambda: linear.exact(drive).amplitude),
+        "x0": told(lambda: linear.exact(drive).x0),
+        "v0": told(lambda: linear.exact(drive).v0),
+        "energy": told(lambda: _energy(drive, linear.coefficient(drive))),
+    }
+    phase = told(lambda: _lag(linear.coefficient(drive)))
+    harmonics = {"1": {"amplitude": numbers["amplitude"], "phase": phase}}
+    method = "closed form: viscous damping alone"
+    return {**numbers, "phase": phase, "harmonics": harmonics, "certified": True, "method": method}
+
+
+def _lag(C: acb) -> arb:
+    return -C.arg()
+
+
+def _energy(drive: Drive, C: acb) -> arb:
+    """pi f times the part of x that goes with sin(theta)."""
+    return -arb.pi() * drive.force.ball() * C.imag
+
+
+def _orbit(drive: Drive, digits: int) -> dict[str, Any]:
+    """The numbers of the orbit at the precision in force; TooWideError where one is not decided."""
+    found = orbit(drive)
+    x, v = found.state()
+    waves = {n: found.harmonic(n) for n in HARMONICS}
+    numbers = {
+        "amplitude": found.amplitude(), "x0": x, "v0": v * drive.omega.ball(), "phase": _lag(waves[1]),
+        "energy": _energy(drive, waves[1]),
+    }  # fmt: skip
+    told: dict[str, Any] = {name: _decided(value, digits, name) for name, value in numbers.items()}
+    told["harmonics"] = {
+        str(n): {
+            "amplitude": _decided(abs(C), digits, f"harmonic {n}"),
+            "phase": _decided(_lag(C), digits, f"the phase of harmonic {n}"),
+        }
+        for n, C in waves.items()
+    }
+    return {**told, "certified": True, "method": "trial orbit in balls, contraction over half a period"}
+
+
+def _decided(value: arb, digits: int, name: str) -> str:
+    text = decimal_of(value, digits)
+    if text is None:
+        raise TooWideError(f"{name} is {value.str(5)}", of=name)
+    return text

@@ -1,0 +1,131 @@
+"""A trial orbit over half a period, from the turning point (theta_0, X_0) to (theta_0 + pi, -X_0), in pieces.
+
+From rest, power series in motion, and backwards from the turning point ahead, which is the first one mirrored.  Every
+piece has its defect, and the jumps where two meet are counted with them: ``miss`` bounds the distance, in the norm
+sqrt(k x^2 + mu v^2) that never grows, of the exact motion from (theta_0, X_0) at the end of the half period from the
+point (-X_0, 0).  Derivation ``driven-unique``.
+"""
+
+from dataclasses import dataclass, replace
+
+from flint import arb
+
+from asymptotics.driven.drive import Balls
+from asymptotics.driven.expansion import Grid, Piece, grid, piece
+from asymptotics.errors import UndecidedError
+from asymptotics.flow.balls import upper
+from asymptotics.numbers.context import ctx
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.running.budget import tick
+
+MAX_PIECES = 4000
+_ROUNDS = 60
+
+
+@dataclass(frozen=True)
+class Trial:
+    """The pieces in the order of the time, and the angles from theta_0 where they begin and end; the last one runs
+    against the time."""
+
+    balls: Balls
+    theta: arb
+    X: arb
+    pieces: tuple[Piece, ...]
+    nodes: tuple[arb, ...]
+    miss: arb
+
+
+def grids(alphas: tuple[ExactReal, ...], bits: int) -> tuple[Grid, Grid]:
+    """The monomials at rest and in motion, as many as that many bits make cheap: choices."""
+    order = int(0.35 * bits) + 6
+    acting = tuple(a for a in alphas if not a.is_zero)
+    top, wanted = order, max(90, order + 8)
+    # Beside a turning point there may be many monomials below s^top: a lower top and a shorter piece.
+    while top > 8 and len(grid(acting, top, bits).exponents) > wanted:
+        top = max(8, int(0.8 * top))
+    return grid(acting, top, bits), grid((), order, bits)
+
+
+@dataclass(frozen=True)
+class March:
+    """Pieces with the exact angles from theta_0 at which they begin, the mismatch (x, v) of the last two, the rest of
+    the jumps and defects."""
+
+    pieces: tuple[Piece, ...]
+    starts: tuple[arb, ...]
+    mismatch: tuple[arb, arb]
+    rest: arb
+
+
+def march(balls: Balls, both: tuple[Grid, Grid], theta: arb, X: arb) -> March:
+    """From rest at (theta, X), both exact, to rest at (theta + pi, -X)."""
+    rest, moving = both
+    aim, pi = 4.0 - ctx.prec, arb.pi()
+    sign = 1 if theta.cos() * balls.f > balls.k * X else -1
+    last = piece(balls, rest, theta + pi, -1, -sign, sign * X, None, aim)
+    # Angles are counted from theta_0, where they are exact; the last piece is met a little within its length.
+    meet, elapsed, extra = (pi - last.length).upper(), arb(0), arb(0)
+    pieces, starts = [piece(balls, rest, theta, 1, sign, sign * X, None, aim)], [arb(0)]
+    while True:
+        tick(f"piece {len(pieces)} of half a period")
+        here = pieces[-1]
+        y, w = here.state(here.length)
+        elapsed = elapsed + here.length
+        if len(pieces) > MAX_PIECES or elapsed.rad() > 0:
+            raise UndecidedError("a half period of the trial orbit takes too many pieces, or too short ones")
+        if elapsed == meet:
+            break
+        extra += balls.k.sqrt() * y.rad() + balls.mu.sqrt() * w.rad()
+        found, left = piece(balls, moving, theta + elapsed, 1, sign, y.mid(), w.mid(), aim), meet - elapsed
+        pieces.append(found if found.length < left else replace(found, length=left))
+        starts.append(elapsed)
+    there = last.state(pi - meet)
+    pieces.append(replace(last, length=pi - meet))
+    defects = sum((p.defect for p in pieces), arb(0)) / balls.mu.sqrt()
+    return March(tuple(pieces), (*starts, meet), (y + there[0], w - there[1]), upper(extra + defects))
+
+
+def trial(balls: Balls, alphas: tuple[ExactReal, ...], near: tuple[float, float]) -> Trial:
+    """The trial orbit by Newton's method from a turning point in doubles, at the precision in force.
+
+    Differences of two marches are good to a third of the bits, which is enough for a few steps at each precision.
+    """
+    theta, X = (arb(v) for v in near)
+    bits = ctx.prec
+    levels = [b for n in range(12, -1, -1) if (b := bits >> n) >= 64] or [bits]
+    for level in levels:
+        with ctx.workprec(level):
+            theta, X = _refined(balls, grids(alphas, level), theta, X)
+    found = march(balls, grids(alphas, bits), theta, X)
+    dx, dw = found.mismatch
+    miss = upper(balls.k.sqrt() * abs(dx) + balls.mu.sqrt() * abs(dw) + found.rest)
+    return Trial(balls, theta, X, found.pieces, (*found.starts, arb.pi()), miss)
+
+
+def _refined(balls: Balls, both: tuple[Grid, Grid], theta: arb, X: arb) -> tuple[arb, arb]:
+    d = arb(2) ** (-ctx.prec // 3)
+    jacobian: tuple[arb, ...] = ()
+    last = arb.pos_inf()
+    for _ in range(_ROUNDS):
+        p, q = _mismatch(balls, both, theta, X)
+        size = max(abs(p), abs(q))
+        # At the noise of the arithmetic, or where nothing is gained any more.
+        if size < arb(2) ** (16 - ctx.prec) or (size * 4 > last and size < d):
+            break
+        if not jacobian or size * 64 > last:
+            (a, c), (b, e) = (
+                [((after - before) / d).mid() for after, before in zip(_mismatch(balls, both, *moved), (p, q))]
+                for moved in (((theta + d).mid(), X), (theta, (X + d).mid()))
+            )
+            jacobian = a, b, c, e
+        a, b, c, e = jacobian
+        det = a * e - b * c
+        theta = (theta - (p * e - q * b) / det).mid()
+        X = (X - (q * a - p * c) / det).mid()
+        last = size
+    return theta, X
+
+
+def _mismatch(balls: Balls, both: tuple[Grid, Grid], theta: arb, X: arb) -> tuple[arb, arb]:
+    p, q = march(balls, both, theta, X).mismatch
+    return p.mid(), q.mid()
