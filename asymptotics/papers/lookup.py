@@ -9,7 +9,7 @@
 >>> paper("smith:43")
 Traceback (most recent call last):
     ...
-asymptotics.errors.InputError: argument id: no statement 'smith:43'; did you mean smith2012:43, ...? (accepted: an id (smith2012:43), ...)
+asymptotics.errors.InputError: argument id: no statement 'smith:43'; did you mean ...? (accepted: an id ...)
 """
 
 import re

@@ -32,7 +32,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any
 
-from flint import acb, arb
+from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
