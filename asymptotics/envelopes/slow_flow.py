@@ -133,8 +133,8 @@ class SlowTable:
         At the place x of a cell they are 4 (1 - x/2)^2/(1 - x)^2 times those of the table, or the mirror image of that.
         """
         kept = np.unique([*range(0, len(self.tau), 2), len(self.tau) - 1])
-        rows = (row[kept] for row in (self.tau, self.s, self.phi, self.ds, self.dphi))
-        return SlowTable(*rows, self.extinction)
+        tau, s, phi, ds, dphi = (row[kept] for row in (self.tau, self.s, self.phi, self.ds, self.dphi))
+        return SlowTable(tau, s, phi, ds, dphi, self.extinction)
 
 
 @dataclass(frozen=True)

@@ -62,7 +62,7 @@ def require_one(value: Any, argument: str, many: str) -> None:
         ...
     asymptotics.errors.InputError: argument t: a list is not one number (accepted: one number; for many: .sample(t))
     """
-    if not isinstance(value, str) and (hasattr(value, "__len__") or getattr(value, "ndim", 0)):
+    if not isinstance(value, str) and (hasattr(value, "__len__") or getattr(value, "ndim", 0) != 0):
         raise InputError(argument, f"{shown(value)} is not one number", f"one number; for many: .{many}")
 
 

@@ -80,7 +80,7 @@ def _page(found: Identification, request: Request) -> str:
     """The page, with the digests of the files and the options that are not at their defaults."""
     # The page is to be checked against its data years later: names change, digests do not.
     files = {name: f"SHA-256 {sha256(Path(name).read_bytes()).hexdigest()}" for name in request["data"]}
-    names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise columns decimal sheet"
+    names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise columns decimal sheet rate"
     given = {name: request.typed(name) for name in (*names.split(), "no_bootstrap")}
     chosen = "; ".join(f"{n}: {' '.join(v) if isinstance(v, list) else v}" for n, v in given.items() if v)
     date = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
@@ -116,6 +116,7 @@ def identify(
     decimal: Annotated[str | None, TEXT.called(letter="MARK", group=_DATA)] = None,
     skip: Annotated[int, whole(0, MOST_SKIPPED).called(group=_DATA)] = 0,
     sheet: Annotated[str | None, TEXT.called(group=_DATA)] = None,
+    rate: Annotated[Number | None, POSITIVE.called(letter="HZ", group=_DATA)] = None,
     laws: Annotated[Sequence[str] | None, WORDS] = None,
     springs: Annotated[Sequence[str], WORDS.called(letter="P")] = (),
     amplitudes: Annotated[tuple[float, float] | None, Kind("LOW:HIGH", _range, group=_DATA)] = None,
@@ -159,10 +160,12 @@ def identify(
         lines before the table that are not read
     sheet
         the sheet of a spreadsheet, where several hold numbers
+    rate
+        samples a second of a file without times (default: found above the numbers)
     laws
         candidate laws: 1 1+2 0+2 free 1+s3 1,2: ...
     springs
-        springs to add to each law: 3 3+5
+        springs to add to each law: 3 3+5 pendulum
     amplitudes
         use the turning points with |x| in this range only
     amplitudes_only
@@ -208,5 +211,5 @@ def identify(
     return identified(
         data, kind=kind, unit=unit, laws=laws, springs=springs, amplitudes=amplitudes, amplitudes_only=amplitudes_only,
         mass=mass, stiffness=stiffness, omega_0=omega_0, noise=noise, bootstrap=bootstrap,
-        how=How(columns, decimal, skip, sheet),
+        how=How(columns, decimal, skip, sheet, None if rate is None else float(rate)),
     )  # fmt: skip

@@ -272,7 +272,8 @@ def _rows(
     si: bool,
     doubles: Mapping[str, DoubleError],
 ) -> tuple[ComparedValue, ...]:
-    keys = sheet.column(key)
+    # Counts as numpy.savetxt writes them, 0.000e+00, are told as 0.
+    keys = [str(int(Fraction(cell))) for cell in sheet.column(key)] if key == "n" else sheet.column(key)
     name = "t" if key == "t" and si else "n" if key == "n" else "tau"
     found = []
     for column in values:

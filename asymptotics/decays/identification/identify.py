@@ -19,7 +19,12 @@ from asymptotics.decays.identification.fitting.correlation import block_length
 from asymptotics.decays.identification.fitting.least_squares import Noise
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.fitting.profile import coordinate, wald_interval
-from asymptotics.decays.identification.forward.candidates import Candidate, default_candidates, read_candidate
+from asymptotics.decays.identification.forward.candidates import (
+    Candidate,
+    default_candidates,
+    read_candidate,
+    read_springs,
+)
 from asymptotics.decays.identification.forward.work import Work
 from asymptotics.decays.identification.judging.adequacy import Levels, noise_levels
 from asymptotics.decays.identification.judging.amplitudes import relieved, spring_bound, widened
@@ -42,7 +47,6 @@ from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import ANGLES, GRAVITY, UNITS
 from asymptotics.errors import InputError, shown
 from asymptotics.running.budget import tick
-from asymptotics.terms import terms_of
 
 MAX_RUNS = 50
 """Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
@@ -122,14 +126,20 @@ def _candidates(laws: Sequence[str] | None, springs: Sequence[str], times: bool,
     )
     if not chosen:
         raise InputError("laws", "no law is named", "at least one law")
-    powers = ("+".join("s" + p for p in terms_of(text, "springs")) for text in _texts(springs, "springs"))
-    extra = [read_candidate(f"0+{text}").springs for text in powers]
-    # A pendulum has its spring.
-    chosen += [Candidate(c.losses, s) for s in extra for c in chosen if not (c.springs or c.pendulum)]
+    extra = [read_springs(text) for text in _texts(springs, "springs")]
+    # A pendulum has its spring, and knows no free exponent and no loss that depends on the place.
+    chosen += [
+        replace(c, springs=e.springs, pendulum=e.pendulum)
+        for e in extra
+        for c in chosen
+        if not (c.springs or c.pendulum or (e.pendulum and (c.free or any(m for _, m in c.losses))))
+    ]
     if any(c.pendulum for c in chosen) and not angles:
-        raise InputError("laws", "a pendulum needs angles", f"x in one of: {', '.join(ANGLES)} (--unit)")
+        named = "springs" if any(e.pendulum for e in extra) else "laws"
+        raise InputError(named, "a pendulum needs angles", f"x in one of: {', '.join(ANGLES)} (--unit)")
     if not times and any(c.springs or c.pendulum for c in chosen):
-        raise InputError("laws", "springs need times", "laws without springs, or data with times")
+        named = "springs" if extra else "laws"
+        raise InputError(named, "springs need times", "laws without springs, or data with times")
     return list(dict.fromkeys(chosen))
 
 
