@@ -1,5 +1,5 @@
 (* A motion beside the true one (derivation defect-bound, docs/theory/certificates.md): for x'' + k x + f = 0 and
-   y'' + k y + g = r with |r| <= rho, where f is a value of F at x' and g one at y', and F is monotone, the distance E,
+   y'' + k y + g = r with |r| <= rho, f a value of F at x' and g one at y', and F monotone, the distance E, with
    E^2 = k (x - y)^2 + (x' - y')^2, grows by rho (t - s) at most.  F is a relation: dry friction is in it, F(0) = [-H, H].
    The equations need not hold at finitely many times: where the mass turns or stops its velocity has a corner. *)
 From Coq Require Import Reals Lra Psatz List.

@@ -1,4 +1,4 @@
-(* Polynomials with integer coefficients, lowest first, and how large they are for |u| <= 1: what a certificate holds. *)
+(* Polynomials with integer coefficients, lowest first, and how large they are for |u| <= 1. *)
 From Coq Require Import Reals ZArith List Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 Import ListNotations.
@@ -52,3 +52,5 @@ Proof.
   { rewrite Rabs_mult. pose proof (Rabs_pos (value p u)). nra. }
   pose proof (Rle_abs (u * value p u)). pose proof (Rle_abs (- (u * value p u))) as h2. rewrite Rabs_Ropp in h2. lra.
 Qed.
+
+Print Assumptions value_near_first.
