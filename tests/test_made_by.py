@@ -15,9 +15,9 @@ import pytest
 import asymptotics as asy
 import asymptotics.made_by as module
 from asymptotics.ask.registry import QUESTIONS
-from asymptotics.cli.asked import command_of
-from asymptotics.cli.main import main
 from asymptotics.made_by import LIBRARIES, code, commit, made_by, mark, versions
+from asymptotics.shell.asked import command_of
+from asymptotics.shell.main import main
 from asymptotics.sweeps import Grid, sweep
 from asymptotics.sweeps.workers import OtherCodeError, run_batch
 from paper_checks.command import run as paper_checks

@@ -20,12 +20,13 @@ from asymptotics.ask.axes import point_options, takes_no_value
 from asymptotics.ask.question import Question
 from asymptotics.ask.registry import SWEPT, loaded
 from asymptotics.ask.typed import Answered, answered, stated_request
-from asymptotics.comparison.cells import Cells, cells_so_far, compared_cells, longest_of, same
-from asymptotics.comparison.reading import rows_of_file
-from asymptotics.comparison.run import GUARD, LEAST_DIGITS, Comparison
-from asymptotics.cut_short import changed
+from asymptotics.decays.comparison.cells import Cells, cells_so_far, compared_cells, longest_of, same
+from asymptotics.decays.comparison.reading import rows_of_file
+from asymptotics.decays.comparison.run import GUARD, LEAST_DIGITS, Comparison
 from asymptotics.errors import InputError, shown
+from asymptotics.present.double_errors import stated_errors
 from asymptotics.present.inputs import stated_words
+from asymptotics.running.cut_short import changed
 from asymptotics.sweeps.export import flat
 from asymptotics.sweeps.exported import SUFFIXES, read_exported
 
@@ -65,7 +66,7 @@ def compare_again(path: Path, digits: int | None) -> Comparison:
     again = asked.offers.again or Again()
     wanted = min(wanted, _most_digits(asked, wanted))
     if again.compared is not None:
-        own: Comparison = again.compared(point, header, rows, wanted)
+        own: Comparison = again.compared(point, header, rows, wanted, stated_errors(path))
         return own
     # The whole answer is computed first, and compared afterwards.
     with changed(lambda _: None):  # rows of the request that are done are no rows of a comparison

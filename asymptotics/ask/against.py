@@ -12,18 +12,18 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from asymptotics.api.units import oscillator_of
 from asymptotics.ask.again import compare_again, names_its_request, told_request
 from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import Kind
 from asymptotics.ask.laws import LAW_FEEDS, law_options, start_options, unit_options
 from asymptotics.ask.moving import PHYSICAL, read_oscillator
-from asymptotics.comparison.reading import rows_of_file
-from asymptotics.comparison.run import Comparison, compare_file
-from asymptotics.comparison.stated import stated
-from asymptotics.comparison.tabled import compare_table, series_table
+from asymptotics.decays.comparison.reading import rows_of_file
+from asymptotics.decays.comparison.run import Comparison, compare_file
+from asymptotics.decays.comparison.stated import stated
+from asymptotics.decays.comparison.tabled import compare_table, series_table
 from asymptotics.errors import InputError
 from asymptotics.law import Law, LawLike, Oscillator
+from asymptotics.law_given import oscillator_of
 from asymptotics.present.inputs import INPUTS, stated_inputs
 from asymptotics.sweeps.grid import values
 from asymptotics.tables.inputs import Inputs
@@ -67,7 +67,7 @@ class Said:
                 raise InputError(f"--{name}", "a table has its own units", "no such option with a table")
         if needed and not (options.alpha or options.law or self.law or self.alpha):
             reason = "is missing: coefficients alone do not say of which law"
-            raise InputError("alpha", reason, "--alpha A, or --law A:E")
+            raise InputError("alpha", reason, "an exponent, or a law")
         if options.law and (options.alpha is not None or options.epsilon is not None):
             raise InputError("--law", "it stands next to --alpha or --epsilon", "one or the other")
         if options.alpha is None and options.epsilon is None and not options.law:

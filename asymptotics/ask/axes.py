@@ -13,11 +13,11 @@ from typing import Any
 from asymptotics.ask.kinds import SECONDS, Kind, Option
 from asymptotics.ask.registry import loaded
 from asymptotics.ask.typed import answered
-from asymptotics.budget import DEFAULT_SECONDS
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.numbers.context import alone
 from asymptotics.numbers.exact import parse_real
-from asymptotics.public import limited
+from asymptotics.running.budget import DEFAULT_SECONDS
+from asymptotics.running.public import limited
 from asymptotics.sweeps.grid import Point, values
 
 _WORD = re.compile(r"[a-z][a-z0-9-]{0,39}\Z")

@@ -17,7 +17,6 @@ from math import log2
 from pathlib import Path
 from typing import Any
 
-from asymptotics.budget import DEFAULT_SECONDS, budget
 from asymptotics.certificates.claims import Claim, error_allowed, exact_time, last_number
 from asymptotics.certificates.equation import Equation
 from asymptotics.certificates.known import Known, known_before, known_turning_points
@@ -28,6 +27,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.present.files import target_file, write_all
 from asymptotics.present.shown import Page, Shown
+from asymptotics.running.budget import DEFAULT_SECONDS, budget
 from asymptotics.testing import check_certificate
 from asymptotics.testing.check_certificate import FORMAT, RefusedError, check
 
@@ -74,7 +74,8 @@ class Certificate(Shown):
         claims = sum(len(each["claims"]) for each in self.content)
         left = tuple(f"not in it: {line}" for line in self.left)
         title = (
-            f"a certificate of {claims} claims, {len(self.to_json()) / 1000:.0f} kB: check_certificate.py accepts it"
+            f"a certificate of {claims} claims, {len(self.to_json()) / 1000:.0f} kB: "
+            "proved, for check_certificate.py accepts it"
         )
         return Page(title, left, ("proved",), tuple((line,) for line in self.proved))
 

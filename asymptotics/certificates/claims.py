@@ -29,10 +29,14 @@ class Turned(Protocol):
     def x(self) -> str:
         """Its place."""
 
+    @property
+    def time(self) -> str | None:
+        """Its time, where it was asked for."""
+
 
 def turning_claim(point: Turned, digits: int) -> Claim:
     """The place of a turning point, and its time if it was printed (tau, or t in s)."""
-    time = getattr(point, "tau", None) or getattr(point, "t", None)
+    time = point.time
     return {"kind": "turning point", "number": point.n, "digits": digits, "x": point.x, "t": time}
 
 

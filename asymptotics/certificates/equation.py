@@ -68,7 +68,7 @@ class Equation:
         if self.v0 != 0 or any(a != 0 for a, _ in self.terms):
             return None
         size = abs(self.x0) - 2 * number * self.friction / self.stiffness
-        return size * (-1) ** number * (1 if self.x0 > 0 else -1)
+        return size if (number % 2 == 0) == (self.x0 > 0) else -size
 
     def holds(self, place: Fraction) -> bool:
         """Whether a mass at rest there stays."""

@@ -16,7 +16,6 @@ turning point 2: x = 0.764131218388 (known to 1e-16) t = 6.29159801056 (known to
 from collections.abc import Iterable, Sequence
 from typing import Any, Protocol
 
-from asymptotics.budget import DEFAULT_SECONDS
 from asymptotics.certificates.certificate import Certificate, certificate
 from asymptotics.certificates.claims import Claim, Turned, rest_claim, state_claim, turning_claim
 from asymptotics.errors import InputError
@@ -25,6 +24,7 @@ from asymptotics.motions.certify import time_of
 from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.exact import require_integer
 from asymptotics.numbers.policy import Number
+from asymptotics.running.budget import DEFAULT_SECONDS
 
 MAX_COUNT, MAX_DIGITS = 1000, 100
 

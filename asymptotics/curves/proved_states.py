@@ -1,6 +1,6 @@
 """What a motion that is certified at times offers besides: a certificate of them.
 
->>> from asymptotics.api.motions import reference
+>>> from asymptotics.curves.motions import reference
 >>> reference({2: "1/10"}).certificate([1, "5/2"], digits=8).proved[2]
 't = 5/2: x = -0.70324400 (known to 1e-13) v = -0.53762389 (known to 1e-13)'
 """
@@ -13,7 +13,7 @@ from asymptotics.certificates.of_results import of_states
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.policy import Number, exact_number
-from asymptotics.public import public
+from asymptotics.running.public import public
 
 
 class ProvedStates:

@@ -8,12 +8,12 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from asymptotics.budget import DEFAULT_SECONDS, seconds_left
 from asymptotics.certificates.certificate import Certificate, together
 from asymptotics.certificates.claims import Claim, rest_claim
 from asymptotics.certificates.of_results import of_claims
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
+from asymptotics.running.budget import DEFAULT_SECONDS, seconds_left
 from asymptotics.tables.inputs import terms_of_label
 
 Row = Mapping[str, str]

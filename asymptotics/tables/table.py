@@ -24,7 +24,7 @@ from asymptotics.numbers.digits import spread
 from asymptotics.numbers.policy import Number
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
-from asymptotics.public import public
+from asymptotics.running.public import public
 from asymptotics.tables.cells import Formula
 from asymptotics.tables.certified import of_rows
 from asymptotics.tables.validation import Validation, validate

@@ -17,9 +17,9 @@ from asymptotics.ask.kinds import REAL, whole
 from asymptotics.ask.question import Question, question
 from asymptotics.ask.registry import QUESTIONS, loaded, summary
 from asymptotics.ask.typed import stated_request
-from asymptotics.cli.asked import Command
-from asymptotics.cli.main import main
 from asymptotics.errors import InputError
+from asymptotics.shell.asked import Command
+from asymptotics.shell.main import main
 
 HOSTILE = ("", "x", "nan", "-inf", "1e400", "2.5e", "1,5", "__import__('os')", "\ud800", "²", "-1/0", "9" * 200)
 OBJECTS = (None, True, 1j, float("nan"), [], {}, object(), b"1", lambda: 0)
@@ -155,7 +155,7 @@ def test_a_kind_that_does_not_refuse_is_noticed(capsys, monkeypatch):
     question = loaded("stokes")
     deaf = replace(question["alpha"], kind=replace(REAL, read=lambda value, name: value))
     monkeypatch.setattr(
-        "asymptotics.cli.asked.loaded", lambda name: replace(question, asked=(deaf, *question.asked[1:]))
+        "asymptotics.shell.asked.loaded", lambda name: replace(question, asked=(deaf, *question.asked[1:]))
     )
     with pytest.raises(AssertionError):
         test_a_hostile_text_is_refused_by_the_name_of_its_option_or_answered(capsys, "stokes", deaf.option)

@@ -13,9 +13,9 @@ import pytest
 from flint import ctx as flint_ctx
 
 import asymptotics as asy
-from asymptotics.budget import budget
 from asymptotics.numbers.context import alone, ctx
 from asymptotics.numbers.decimal_context import intervals, workdps
+from asymptotics.running.budget import budget
 from asymptotics.turning.quadratic_series import abel_coefficients, half_period_series, map_series
 from tests.sources import nodes
 

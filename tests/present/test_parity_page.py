@@ -13,8 +13,8 @@ import pytest
 
 import asymptotics as asy
 from asymptotics.ask.registry import QUESTIONS
-from asymptotics.cli.asked import Command, command_of
-from asymptotics.cli.main import main
+from asymptotics.shell.asked import Command, command_of
+from asymptotics.shell.main import main
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 

@@ -14,17 +14,17 @@ from asymptotics.ask.kinds import REAL, SECONDS, Kind
 from asymptotics.ask.laws import law_options
 from asymptotics.ask.question import question
 from asymptotics.ask.typed import typed_options
-from asymptotics.comparison.cells import Cells, compared_cells
-from asymptotics.comparison.reading import as_double
-from asymptotics.comparison.run import Comparison
-from asymptotics.cut_short import changed
+from asymptotics.decays.comparison.cells import Cells, compared_cells
+from asymptotics.decays.comparison.reading import as_double
+from asymptotics.decays.comparison.run import Comparison
+from asymptotics.decays.identification.damping_table import law_of_table
+from asymptotics.decays.identification.found_law import DampingLaw
 from asymptotics.errors import InputError
-from asymptotics.identification.damping_table import law_of_table
-from asymptotics.identification.found_law import DampingLaw
 from asymptotics.law import PENDULUM, SpringLike
 from asymptotics.numbers.exact import ExactReal, parse_rational
 from asymptotics.numbers.policy import Number
 from asymptotics.present.inputs import csv_text, option_words, with_words
+from asymptotics.running.cut_short import changed
 
 TABLE = Kind("FILE", lambda table, _: table, option="from", group="the data")
 LAWS = Kind("LAW", lambda laws, _: laws, words=True, several=True)
@@ -66,7 +66,7 @@ def _csv(found: DampingLaw, request: Request) -> str:
 _COLUMNS, _DIGITS = ("A", "zeta", "Q", "decrement", "resolution"), 17
 
 
-def _again(request: dict[str, str], header: list[str], rows: list[tuple[int, list[str]]], _: int) -> Comparison:
+def _again(request: dict[str, str], header: list[str], rows: list[tuple[int, list[str]]], *_: Any) -> Comparison:
     """The table in the header fitted again: one in doubles, so that nothing is certified.
 
     What is judged is whether the file says what its request gives.

@@ -8,8 +8,8 @@ from asymptotics.ask.against import SAID, Beside, Said, beside
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import SECONDS, TEXT, Kind, digits
 from asymptotics.ask.question import question
-from asymptotics.comparison.in_text import told
-from asymptotics.comparison.run import MAX_DIGITS, Comparison
+from asymptotics.decays.comparison.in_text import told
+from asymptotics.decays.comparison.run import MAX_DIGITS, Comparison
 from asymptotics.errors import InputError, shown
 from asymptotics.law import LawLike
 from asymptotics.numbers.policy import Number
@@ -115,7 +115,7 @@ def compare(
     InputError
         for what is missing or wrong, naming the line
     LimitError
-        after ``max_seconds``; ``asymptotics.cut_short.done(error)`` hands over the rows that were done
+        after ``max_seconds``; ``asymptotics.running.cut_short.done(error)`` hands over the rows that were done
 
     Notes
     -----

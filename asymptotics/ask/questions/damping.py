@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from itertools import islice
 from typing import Annotated, Any, cast
 
-from asymptotics.api.units import law_of
 from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import COMPUTED, FLAG, SECONDS, Kind, Option, digits, whole
 from asymptotics.ask.laws import LAW_FEEDS, SYMBOLIC, law_options, start_options, unit_options
@@ -18,6 +17,7 @@ from asymptotics.equivalent.rows import DRAWN
 from asymptotics.equivalent.symbolic import symbolic_exponent
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import LawLike, Oscillator, SpringLike
+from asymptotics.law_given import law_of
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
 
@@ -207,7 +207,7 @@ def damping(
     InputError
         for a law without a loss, amplitudes <= 0 or outside the well
     LimitError
-        after ``max_seconds``; ``asymptotics.cut_short.done(error)`` hands over the rows that were done
+        after ``max_seconds``; ``asymptotics.running.cut_short.done(error)`` hands over the rows that were done
 
     Notes
     -----

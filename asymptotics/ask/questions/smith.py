@@ -183,7 +183,7 @@ def _generating_function(given: dict[str, Any]) -> SmithAnswer:
 def _radii(given: dict[str, Any]) -> SmithAnswer:
     """R(w) and rho(w), correctly rounded."""
     w, D = given["w"], given["digits"] or 30
-    R, rho = import_module("asymptotics.api.constants").radii(w, digits=D)  # loads SymPy, as for G
+    R, rho = import_module("asymptotics.motions.invariants.constants").radii(w, digits=D)  # loads SymPy, as for G
     data = {"w": str(w), "R": str(R), "rho": str(rho), "digits": D, "certified": True}
     return SmithAnswer(data, f"R    {R}\nrho  {rho}", rf"R = {R},\quad \rho = {rho}")
 
@@ -191,14 +191,14 @@ def _radii(given: dict[str, Any]) -> SmithAnswer:
 def _first(given: dict[str, Any]) -> SmithAnswer:
     """S at a point, correctly rounded."""
     D = given["digits"] or 30
-    value = str(import_module("asymptotics.api.constants").S(given["u"], given["w"], digits=D))
+    value = str(import_module("asymptotics.motions.invariants.constants").S(given["u"], given["w"], digits=D))
     return _constant("S", {"u": str(given["u"]), "w": str(given["w"])}, value, D)
 
 
 def _second(given: dict[str, Any]) -> SmithAnswer:
     """T at a point, correctly rounded."""
     D, tau = given["digits"] or 30, given["tau"] or 0
-    value = str(import_module("asymptotics.api.constants").T(given["u"], given["w"], tau, digits=D))
+    value = str(import_module("asymptotics.motions.invariants.constants").T(given["u"], given["w"], tau, digits=D))
     return _constant("T", {"u": str(given["u"]), "w": str(given["w"]), "tau": str(tau)}, value, D)
 
 

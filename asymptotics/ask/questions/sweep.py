@@ -17,7 +17,7 @@ from asymptotics.ask.typed import typed_options
 from asymptotics.errors import InputError, require_choice, shown
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.numbers.policy import Number, exact_number
-from asymptotics.progress import progress_bar
+from asymptotics.running.progress import progress_bar
 from asymptotics.sweeps.export import export, require_format
 from asymptotics.sweeps.grid import MAX_POINTS, Grid, Point, too_large
 from asymptotics.sweeps.run import MAX_WORKERS, OpenCrew, SweepResult
