@@ -40,7 +40,7 @@ from paper_checks.identities import vanishes
 from paper_checks.members import MEMBERS, Members
 from paper_checks.near_misses import LEFT, WORDS
 from paper_checks.readings import READINGS, Reading
-from paper_checks.registry import Statement
+from paper_checks.registry import FOLLOW_UPS, IDENTIFIERS, PAPERS, Statement
 from paper_checks.verdict import Outcome
 
 LEDGER = Path(__file__).parent / "compared.json"
@@ -286,7 +286,20 @@ def digest(entry: Statement) -> str:
         LEFT.get(entry.id, ""),
         *entry.methods,
     )
-    return hashlib.sha256("\n".join([*said, *forms]).encode()).hexdigest()[:16]
+    return _digest(*said, *forms)
+
+
+def references() -> dict[str, str]:
+    """Digests of the references to the papers, of their identifiers, and of the later papers that are named."""
+    return {
+        "papers": _digest(repr(PAPERS)),
+        "identifiers": _digest(repr(IDENTIFIERS)),
+        "later": _digest(repr(FOLLOW_UPS)),
+    }
+
+
+def _digest(*texts: str) -> str:
+    return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:16]
 
 
 def _said(form: Any) -> str:
@@ -295,7 +308,7 @@ def _said(form: Any) -> str:
     return inspect.getsource(form) if inspect.isfunction(form) else repr(form)
 
 
-BY_HAND = "compared by hand"
+BY_HAND, REFERENCES = "compared by hand", "references"
 SORTS = (Tie.WHOLE, Tie.PART, BY_HAND)
 
 
@@ -324,4 +337,5 @@ def written(entries: Iterable[Statement]) -> str:
     for entry in entries:
         sort = how_read(entry)
         known[str(sort) if sort in SORTS else BY_HAND][entry.id] = digest(entry)
+    known[REFERENCES] = references()
     return json.dumps(known, indent=1) + "\n"

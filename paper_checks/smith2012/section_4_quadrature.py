@@ -80,7 +80,7 @@ def quadrature(form: sympy.Expr) -> Outcome:
     latex=r"\text{Eq. (54) is not found in standard tables of integrals}",
     printed=1 / sqrt(RADICAND), near_miss=1 / sqrt(RADICAND.subs(E, 0)),
     conditions="E_n != 0, as between two turning points; tables of elementary integrals",
-    methods=("rescaled to the integral of the derivation, which is not elementary", "a primitive, differentiated"),
+    methods=("its integrand is that of the derivation", "SymPy's own integrator, which finds the near miss"),
     note="(54) as corrected. By Liouville's theorem no table of elementary integrals has it; what tables of special"
     " functions have is not said. Near miss: E = 0, which every table has. Form: the integrand.",
 )
