@@ -73,22 +73,6 @@ def with_numbers(form: sympy.Expr, friction: Fraction) -> arb:
 
 
 @statement(
-    id="lelas2024:47", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="0",
-    extent="sampled: 2 points",
-    title="The approximate motion with friction", derivation="lelas-friction",
-    latex=r"x(t) = x_0\left(1 - \frac{\mu g}{\sqrt{2}\omega_0x_0}t\right)\cos(\omega_0t)", printed=OURS,
-    near_miss=x0 * (1 - STRENGTH / 2 * t) * sympy.cos(w0 * t), conditions="damping force (3), t <= tau",
-    methods=("(32) inserted in (8)", "largest error over a swing near half amplitude, two values of mu"),
-    note="At a fixed fraction of the motion the error does not fall with mu: at tau the exact amplitude is still"
-    " 1 - 2 sqrt(2)/pi = 0.0997 of x_0. The sentence before (47) names the wrong force, see claim.force-of-47.",
-)
-def our_motion(form: sympy.Expr) -> Outcome:
-    """(8) with (32); the order of the error is 0."""
-    inserted = same(form, X1.subs(f, FRICTION_LINE))
-    return all_confirmed(inserted, has_order(0, slow_error(form, mu, coulomb)))
-
-
-@statement(
     id="lelas2024:claim.force-of-47", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.MEASURED,
     derivation="lelas-friction", line=8,
     extent="read off the text",
@@ -102,6 +86,22 @@ def our_motion(form: sympy.Expr) -> Outcome:
 def force_of_motion(law: int) -> Outcome:
     """The decay of (47) depends on mu and g, as the force must."""
     return decided(read_off({mu, g}) <= LAWS[law].free_symbols)
+
+
+@statement(
+    id="lelas2024:47", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="0",
+    extent="sampled: 2 points",
+    title="The approximate motion with friction", derivation="lelas-friction",
+    latex=r"x(t) = x_0\left(1 - \frac{\mu g}{\sqrt{2}\omega_0x_0}t\right)\cos(\omega_0t)", printed=OURS,
+    near_miss=x0 * (1 - STRENGTH / 2 * t) * sympy.cos(w0 * t), conditions="damping force (3), t <= tau",
+    methods=("(32) inserted in (8)", "largest error over a swing near half amplitude, two values of mu"),
+    note="At a fixed fraction of the motion the error does not fall with mu: at tau the exact amplitude is still"
+    " 1 - 2 sqrt(2)/pi = 0.0997 of x_0. The sentence before (47) names the wrong force, see claim.force-of-47.",
+)
+def our_motion(form: sympy.Expr) -> Outcome:
+    """(8) with (32); the order of the error is 0."""
+    inserted = same(form, X1.subs(f, FRICTION_LINE))
+    return all_confirmed(inserted, has_order(0, slow_error(form, mu, coulomb)))
 
 
 @statement(
