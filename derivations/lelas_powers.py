@@ -52,7 +52,9 @@ step(
     corrects=("lelas2024:claim.force-without-sign",),
 )
 step(
-    "for n = 2 both are the value of F there, 0", Limit(-(V**3) / abs(V), V, 0, "+"), Limit(-(V**3) / abs(V), V, 0, "-")
+    "for n = 2 both are the value of F there",
+    sympy.Tuple(*(Limit(-(V**3) / abs(V), V, 0, side) for side in "+-")),
+    sympy.Tuple(0, 0),
 )
 
 # (54): x = A_0 f cos(omega_0 t + phi_0), s = |sin|; C times F is the force.
