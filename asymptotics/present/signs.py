@@ -28,8 +28,6 @@ _INDEX = re.compile(  # of one letter: a number, 2n+1, a letter, a short word; l
     r"(?<![A-Za-z_])((?:[A-Za-z]|[α-ωΑ-Ω])'*)_"
     r"(\{[^{}]*\}|\([^()]*\)|\d+n(?:\+1)?|\d+(?:,\d+)*|[A-Za-zα-ω]|eq|ex|log|max|min)(?![A-Za-z\d_]|\.\w)"
 )
-    r"(?<![A-Za-z_])((?:[A-Za-z]|[α-ωΑ-Ω])'*)_(\{[^{}]*\}|\([^()]*\)|\d+(?:,\d+)*|[A-Za-zα-ω]|eq|ex|log|max|min)(?![A-Za-z\d_]|\.\w)"
-)
 _SIGNS = (("&lt;=", "≤"), ("&gt;=", "≥"), ("-&gt;", "→"), ("&lt;&lt;", "≪"), ("!=", "≠"), ("&#x27;", "'"))
 
 

@@ -89,8 +89,6 @@ def test_pages_start_with_the_verdict_and_say_what_it_is_worth(made):
 UNSET = re.compile(
     r"\*|\\|sqrt\(|\^|Integral\(|Derivative\(|(?<![A-Za-z_])[A-Za-z]_\d|\b(?:alpha|epsilon|kappa|omega)_\d"
 )
-    r"\*|\\\\|sqrt\(|\^|Integral\(|Derivative\(|(?<![A-Za-z_])[A-Za-z]_\d|\b(?:alpha|epsilon|kappa|omega)_\d"
-)
 
 
 def unset(html):
