@@ -15,7 +15,7 @@ from drawing import missing
 
 OURS = re.compile(
     r"\bForm:|\bForm as for|\bBy:|\bholds claim\b"
-    r"|(?<![\d.])(?<!= )(?:[2-9]|[1-9]\d+) (?:definition|misprint|transcription|partly)\b(?! true| slip)"
+    r"|(?<![\w.])(?<!= )(?:[2-9]|[1-9]\d+) (?:definition|misprint|transcription|partly)\b(?! true| slip)"
 )
 PLANTED = ("<p>28 definition, 3 open</p>", "<p>holds claim</p>", "<p>Form: the sign.</p>", "<p>By: quadrature</p>")
 
