@@ -1,5 +1,6 @@
 """The report in plain English: a legend of the verdicts, no word of ours for a reader, no link or table cut short."""
 
+import json
 import re
 import sys
 from pathlib import Path
@@ -48,6 +49,14 @@ def test_such_a_word_is_noticed(page):
 def test_one_and_several_are_counted_in_words():
     shown = [counted(name, n) for name, *_ in LEGEND for n in (1, 2)]
     assert {"1 misprint", "2 misprints", "2 hold", "1 definition", "2 definitions"} <= {*shown}
+
+
+def test_every_reference_table_says_whether_mpmath_has_recomputed_it(report):
+    tables = [t for p in json.loads((report / "report.json").read_text())["papers"] for t in p["tables"]]
+    assert [table["table"] for table in tables if ": equal" in table["validation"]] == ["smith2012.table1"]
+    for name, route in (("smith2012", "recomputed by mpmath"), ("lancaster2020", "not by mpmath alone")):
+        assert route in told((report / f"{name}.html").read_text())
+    assert (report / "report.tex").read_text().count("mpmath") == len(tables)
 
 
 def test_the_footer_leads_only_to_files_that_the_report_has(report):
