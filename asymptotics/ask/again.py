@@ -24,6 +24,7 @@ from asymptotics.decays.comparison.cells import Cells, cells_so_far, compared_ce
 from asymptotics.decays.comparison.reading import rows_of_file
 from asymptotics.decays.comparison.run import GUARD, LEAST_DIGITS, Comparison
 from asymptotics.errors import InputError, shown
+from asymptotics.present.double_errors import stated_errors
 from asymptotics.present.inputs import stated_words
 from asymptotics.running.cut_short import changed
 from asymptotics.sweeps.export import flat
@@ -65,7 +66,7 @@ def compare_again(path: Path, digits: int | None) -> Comparison:
     again = asked.offers.again or Again()
     wanted = min(wanted, _most_digits(asked, wanted))
     if again.compared is not None:
-        own: Comparison = again.compared(point, header, rows, wanted)
+        own: Comparison = again.compared(point, header, rows, wanted, stated_errors(path))
         return own
     # The whole answer is computed first, and compared afterwards.
     with changed(lambda _: None):  # rows of the request that are done are no rows of a comparison

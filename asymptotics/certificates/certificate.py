@@ -74,7 +74,8 @@ class Certificate(Shown):
         claims = sum(len(each["claims"]) for each in self.content)
         left = tuple(f"not in it: {line}" for line in self.left)
         title = (
-            f"a certificate of {claims} claims, {len(self.to_json()) / 1000:.0f} kB: check_certificate.py accepts it"
+            f"a certificate of {claims} claims, {len(self.to_json()) / 1000:.0f} kB: "
+            "proved, for check_certificate.py accepts it"
         )
         return Page(title, left, ("proved",), tuple((line,) for line in self.proved))
 

@@ -14,7 +14,7 @@
 (3, '4.99', True)
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from fractions import Fraction
@@ -35,8 +35,10 @@ from asymptotics.decays.comparison.truth import Truth, at_envelope, at_times, at
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator, of_unit_start
 from asymptotics.numbers.digits import spread
+from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.exact import parse_integer
 from asymptotics.numbers.policy import Number
+from asymptotics.present.double_errors import stated_errors
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.figures import counted
 from asymptotics.present.inputs import csv_text
@@ -178,6 +180,7 @@ def compare_file(
     that cuts the work short carries the rows that are done.
     """
     sheet, left = read_sheet(path, columns, si=si), list[str]()
+    doubles = stated_errors(path) if isinstance(path, Path) else {}
     key = next((name for name in ("n", "tau", "t") if name in sheet.columns), None)
     # The first of n, tau, t is the key; a time beside n is a value.
     values = [name for name in sheet.columns if name != key]
@@ -197,11 +200,12 @@ def compare_file(
     side = MotionBeside(oscillator if si else unit)
 
     def compared(sheet: Sheet, truth: Truth, look: Callable[[Sequence[ComparedValue]], Look]) -> Comparison:
-        rows = _rows(sheet, truth, key, values, wanted, si)
+        rows = _rows(sheet, truth, key, values, wanted, si, doubles)
         summary = summary_of(rows, look(rows))
         summary["order"] = order_of(list(sheet.numbers[key]), counted=key == "n")
         summary |= {"ended": truth.ended} if truth.ended else {}
         summary |= {"not_compared": left} if left else {}
+        summary |= told_doubles(doubles, values)
         return Comparison(rows, summary, truth.certified, truth.method, side)
 
     def so_far(truth: Truth) -> Comparison:
@@ -260,27 +264,50 @@ def _written(sheet: Sheet, name: str) -> int:
 
 
 def _rows(
-    sheet: Sheet, truth: Truth, key: str, values: Sequence[str], digits: int, si: bool
+    sheet: Sheet,
+    truth: Truth,
+    key: str,
+    values: Sequence[str],
+    digits: int,
+    si: bool,
+    doubles: Mapping[str, DoubleError],
 ) -> tuple[ComparedValue, ...]:
-    keys = sheet.column(key)
+    # Counts as numpy.savetxt writes them, 0.000e+00, are told as 0.
+    keys = [str(int(Fraction(cell))) for cell in sheet.column(key)] if key == "n" else sheet.column(key)
     name = "t" if key == "t" and si else "n" if key == "n" else "tau"
     found = []
     for column in values:
         cells, right = sheet.column(column), truth.columns[column]
         numbers = sheet.numbers[column]
-        found += [row_of(*where, column, name, digits) for where in zip(sheet.lines, keys, cells, numbers, right)]
+        may, places = doubles.get(column), zip(sheet.lines, keys, cells, numbers, right)
+        found += [row_of(*where, column, name, digits, may) for where in places]
     return tuple(sorted(found, key=lambda row: row.line))
 
 
 def row_of(
-    line: int, key: str, given: str, value: Fraction, right: str | None, column: str, name: str, digits: int
+    line: int,
+    key: str,
+    given: str,
+    value: Fraction,
+    right: str | None,
+    column: str,
+    name: str,
+    digits: int,
+    double: DoubleError | None = None,
 ) -> ComparedValue:
-    """One value, as text and as a number, beside the right one."""
+    """One value, as text and as a number, beside the right one; ``double``: the error that it may have."""
     if right is None:
         return ComparedValue(line, key, column, given, None, "0.00", "", given, name)
     # The certified decimal as an exact fraction, through integers: its exponent may be beyond the doubles.
-    found = judged(given, value, Fraction(*Decimal(right).as_integer_ratio()), digits)
+    found = judged(given, value, Fraction(*Decimal(right).as_integer_ratio()), digits, double)
     return ComparedValue(line, key, column, given, right, found.digits, found.error, found.marked, name)
+
+
+def told_doubles(doubles: Mapping[str, DoubleError], columns: Sequence[str]) -> dict[str, list[str]]:
+    """For the summary: which of the columns are doubles, and the errors that the header of the file gives them."""
+    names = {column.split(" [")[0] for column in columns}
+    told = [f"{name} ({error})" for name, error in doubles.items() if name in names]
+    return {"doubles": told} if told else {}
 
 
 def summary_of(rows: Sequence[ComparedValue], look: Look) -> dict[str, Any]:

@@ -35,15 +35,21 @@ def load(source: Any, kind: str | None = None, unit: str = "", how: How | None =
             _require_few(source.last, source.name or "n")
         return [source]
     table = read_table(source, kind, unit, how)
-    if table.kind in ("record", "velocity", "acceleration"):
-        return _motions(table.whole())
-    return [_turning_points(table) if table.kind == "turning-points" else _decrements(table)]
+    try:
+        if table.kind == "decrement":
+            return [_decrements(table)]
+        found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole())
+        return [replace(run, time_unit=table.clock) for run in found]
+    except InputError as error:
+        # A column that was taken wrongly may be why: the refusal names it, and those that swing more.
+        told = table.read_as() if error.argument.startswith("FILE") else ""
+        raise type(error)("FILE", f"{error.reason}; {told}", error.accepted) if told else error from None
 
 
-def _motions(table: RecordTable) -> list[Run]:
+def _motions(table: RecordTable) -> list[Observations]:
     t = table.columns["t"]
     pieces = runs_of(t)
-    found: list[Run] = []
+    found: list[Observations] = []
     for number, places in enumerate(pieces, start=1):
         run = table.kept(places) if len(pieces) > 1 else table
         if len(pieces) > 1:
@@ -54,7 +60,7 @@ def _motions(table: RecordTable) -> list[Run]:
     return found
 
 
-def _decays(run: RecordTable) -> list[Run]:
+def _decays(run: RecordTable) -> list[Observations]:
     """Each release of a run, without the samples that are spikes."""
     column = "xva"[_order(run)]
     t, x, rows, notes = straightened(run.columns["t"], run.columns[column], run.rows)
@@ -65,7 +71,7 @@ def _decays(run: RecordTable) -> list[Run]:
         notes = (*notes, f"{int(wild.sum())} samples far from their neighbours left out, the first is {first}")
         t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
     said = (*run.notes, *notes, *sensor_notes(t, x))
-    parts, found = releases(t, x), list[Run]()
+    parts, found = releases(t, x), list[Observations]()
     for number, places in enumerate(parts, start=1):
         own, told = rows if len(places) == len(t) else rows.kept(places), said
         if len(places) < len(t):
@@ -93,6 +99,9 @@ def _order(run: RecordTable) -> int:
 def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...]) -> Observations:
     # Within each release: a line has its own phase and size in each of them.
     whole = t
+    # What never changes has no period, which the search for a second mode asks for.
+    if len(x) and not np.ptp(x) > 0:
+        raise InputError("FILE", f"{rows.name}, column {'xva'[_order(run)]}: all values are {x[0]:g}", "a motion")
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)
     if _order(run) == 0:
@@ -100,7 +109,7 @@ def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[s
         rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
         seen = observations_of_record(t, x, unit=run.unit, rows=rows)
         return replace(seen, notes=(*notes, *seen.notes, *_tail(whole, seen)))
-    if len(t) < LEAST_SAMPLES or not np.ptp(x) > 0:
+    if len(t) < LEAST_SAMPLES:
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
     return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
 
