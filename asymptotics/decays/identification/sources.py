@@ -11,6 +11,7 @@ from asymptotics.decays.identification.measuring.at_rest import moving
 from asymptotics.decays.identification.measuring.extraction import observations_of_record
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.measuring.ringdown import observations_of_envelope
 from asymptotics.decays.identification.measuring.sampled import LEAST_SAMPLES, observations_of_motion
 from asymptotics.decays.identification.measuring.second_mode import without_second_modes
 from asymptotics.decays.identification.measuring.sensors import sensor_notes
@@ -28,8 +29,13 @@ MAX_SWINGS = 1_000_000
 Run = Observations | Decrements
 
 
-def load(source: Any, kind: str | None = None, unit: str = "", how: How | None = None) -> list[Run]:
-    """The runs of a source, one if its clock never starts again; InputError for what cannot be used."""
+def load(
+    source: Any, kind: str | None = None, unit: str = "", how: How | None = None, omega_0: float | None = None
+) -> list[Run]:
+    """The runs of a source, one if its clock never starts again; InputError for what cannot be used.
+
+    ``omega_0``, in rad/s, is asked for where amplitudes alone are sampled and the file does not say their frequency.
+    """
     if isinstance(source, Observations | Decrements):
         if isinstance(source, Observations):
             _require_few(source.last, source.name or "n")
@@ -38,6 +44,8 @@ def load(source: Any, kind: str | None = None, unit: str = "", how: How | None =
     try:
         if table.kind in ("record", "velocity", "acceleration"):
             return _motions(table.whole())
+        if table.kind == "envelope":
+            return [_ringdown(table.whole(), omega_0)]
         return [_turning_points(table) if table.kind == "turning-points" else _decrements(table)]
     except InputError as error:
         # A column that was taken wrongly may be why: the refusal names it, and those that swing more.
@@ -89,6 +97,17 @@ def _decays(run: RecordTable) -> list[Run]:
     if not found:
         raise InputError("FILE", "; ".join([rows.name, *said[-len(parts) :]]), "a free decay")
     return found
+
+
+def _ringdown(table: RecordTable, omega_0: float | None) -> Observations:
+    """A sampled envelope, at the frequency that is said or that its file says."""
+    frequency = table.frequency if omega_0 is None else omega_0 / (2 * np.pi)
+    if frequency is None:
+        raise InputError("omega_0", f"{table.rows.name} is an envelope and says no frequency", "2 pi f in rad/s")
+    t, x, rows, notes = straightened(table.columns["t"], table.columns["x"], table.rows)
+    return observations_of_envelope(
+        t, x, frequency, relative=table.relative, unit=table.unit, name=rows.name, notes=(*table.notes, *notes)
+    )
 
 
 def _order(run: RecordTable) -> int:

@@ -18,15 +18,23 @@ from dataclasses import dataclass
 from asymptotics.decays.records.units import ACCELERATIONS, SECONDS, SPEEDS, UNITS, suffix, without_run
 from asymptotics.errors import InputError, shown
 
-KINDS = ("record", "velocity", "acceleration", "turning-points", "decrement")
+KINDS = ("record", "velocity", "acceleration", "envelope", "turning-points", "decrement")
 COLUMNS = {
     "record": ("t", "x"),
     "velocity": ("t", "v"),
     "acceleration": ("t", "a"),
+    "envelope": ("t", "x"),
     "turning-points": ("n", "x"),
     "decrement": ("amplitude", "decrement"),
 }
-OPTIONAL = {"record": (), "velocity": (), "acceleration": (), "turning-points": ("tau",), "decrement": ("resolution",)}
+OPTIONAL = {
+    "record": (),
+    "velocity": (),
+    "acceleration": (),
+    "envelope": (),
+    "turning-points": ("tau",),
+    "decrement": ("resolution",),
+}
 
 _WORDS = {
     "time": "t time zeit tau temps tiempo tempo timestamp datetime x_value clock elapsed seconds sekunden",

@@ -270,7 +270,7 @@ def test_a_labview_file_whose_header_has_no_step_of_time_is_refused(tmp_path):
     text = LAYOUTS["LabVIEW lvm without times"][0]
     for fault in (text.replace("Delta_X", "Delta"), text.replace("0.020000\nX_Dim", "soon\nX_Dim")):
         (tmp_path / "a.lvm").write_text(fault)
-        with pytest.raises(InputError, match="no rows of two numbers"):
+        with pytest.raises(InputError, match="one column, .*--rate HZ"):
             read_table(tmp_path / "a.lvm")
 
 

@@ -61,23 +61,29 @@ def envelope(seen: Observations) -> Envelope | None:
     if len(n) < _LEAST or not (size > 0).all():
         return None
     scatter = float(np.mean(seen.sigma_x[inside])) if len(seen.sigma_x) else 0.0
-    decline = _decline(n, size, scatter)
+    # The errors of a level are proportional to it; those of a place are alike.
+    alike = 1.0 if seen.spacing is None or not len(seen.sigma_x) else seen.sigma_x[inside] / seen.sigma_x[0]
+    decline = _decline(n, size, scatter if seen.spacing is None else 0.0, alike)
     if decline is None:
         return None
     ends = np.array([size[0], np.sqrt(size[0] * size[-1]), size[-1]])
-    quality = tuple(_quality(float(a), decline(float(a))) for a in ends)
+    quality = tuple(_quality(float(a), decline(float(a)), seen.stride) for a in ends)
     period = _period(n, seen.t[inside]) if seen.has_times else None
-    return Envelope(period, quality, None if period is None else _half_life(decline, size, period))
+    if seen.spacing is not None:  # an envelope: n is an artificial clock, and the true period is known
+        true = 2 * seen.spacing / seen.stride
+        half_life = _half_life(decline, size, 2 * seen.spacing)
+        return Envelope({"low": true, "estimate": true, "high": true}, quality, half_life)
+    return Envelope(period, quality, None if period is None else _half_life(decline, size, period["estimate"]))
 
 
-def _decline(n: Indices, size: Array, stated: float) -> Decline | None:
+def _decline(n: Indices, size: Array, stated: float, error: Array | float) -> Decline | None:
     """What ln A loses in a half-swing at an amplitude: the sum of powers of A that the criterion chooses."""
     gap = np.diff(n)
     # The geometric mean is the amplitude in the middle of a half-swing; sums forgive noise where differences would not.
     middle = np.sqrt(size[1:] * size[:-1]) / size[0]
     sums = {k: -np.concatenate([[0.0], np.cumsum(gap * middle**k)]) for k in _POWERS}
     sets = [c for count in range(1, len(_POWERS) + 1) for c in combinations(_POWERS, count)]
-    weight = size / size[0]  # the errors of the amplitudes are alike, those of their logarithms are not
+    weight = size / size[0] / error  # where the errors of the amplitudes are alike, those of their logarithms are not
     found = []
     for powers in sets:
         V = np.stack([np.ones(len(size)), *(sums[k] for k in powers)], axis=1) * weight[:, None]
@@ -123,9 +129,9 @@ def _covered(seen: Observations) -> Array:
     return np.asarray((seen.t >= seen.samples.t[0] - 1e-9) & (seen.t <= seen.samples.t[-1]))
 
 
-def _quality(amplitude: float, fall: Ends) -> Ends:
-    """Q = pi/2 over the fall; without a limit where that may be 0."""
-    ends = {name: pi / 2 / fall[by] if fall[by] > 0 else inf for name, by in _INVERTED.items()}
+def _quality(amplitude: float, fall: Ends, stride: float) -> Ends:
+    """Q = pi/2 over the fall in a half-swing; without a limit where that may be 0."""
+    ends = {name: pi / 2 * stride / fall[by] if fall[by] > 0 else inf for name, by in _INVERTED.items()}
     return {"amplitude": amplitude, **ends}
 
 
@@ -137,14 +143,14 @@ def _period(n: Array, t: Array) -> Ends:
     return {"low": middle - reach, "estimate": middle, "high": middle + reach}
 
 
-def _half_life(decline: Decline, size: Array, period: Ends) -> Ends | None:
+def _half_life(decline: Decline, size: Array, period: float) -> Ends:
     """The time in which ln A falls by ln 2; below the last amplitude as there."""
     grid = np.linspace(log(size[0] / 2), log(size[0]), _GRID)
     found = [decline(max(float(np.exp(s)), float(size.min()))) for s in grid]
     ends = {}
     for name, by in _INVERTED.items():
         rate = np.array([fall[by] for fall in found])
-        ends[name] = float(np.trapezoid(1 / rate, grid)) * period["estimate"] / 2 if (rate > 0).all() else inf
+        ends[name] = float(np.trapezoid(1 / rate, grid)) * period / 2 if (rate > 0).all() else inf
     return ends
 
 

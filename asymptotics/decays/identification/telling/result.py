@@ -42,7 +42,8 @@ class RecordUnits:
     def physical(self, alpha: float, position: int, epsilon: Interval) -> tuple[str, Interval] | None:
         """(name, interval) of b or b/m in SI: b/m = epsilon omega_0^(2-alpha) (unit of x)^(1-alpha-m)."""
         omega = self.omega_0
-        if omega is None or not self.unit:
+        # The strength of a linear loss has no unit of length in it.
+        if omega is None or not (self.unit or alpha + position == 1):
             return None
         # x'' + omega_0^2 x + (b/m) |x|^m x'|x'|^(alpha - 1) = 0 in SI, scaled to the unit of x and the time omega_0 t.
         factor = omega ** (2 - alpha) * self.size ** (1 - alpha - position)
