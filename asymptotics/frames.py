@@ -9,14 +9,18 @@ A law alone is the oscillator with m = k = x0 = 1: its places are in units of x0
 from dataclasses import dataclass
 
 from asymptotics.law import Oscillator
+from asymptotics.present.shown import Page, Shown
 
 
-@dataclass(frozen=True)
-class Frame:
+@dataclass(frozen=True, repr=False)
+class Frame(Shown):
     """The units of x and of t; both empty: x in units of x0 (or of the strengths), and tau = omega_0 t."""
 
     x: str = ""
     t: str = ""
+
+    def _page(self) -> Page:
+        return Page(f"x in {self.x or 'units of x0'}, {self.time} in {self.t or '1/omega_0'}")
 
     @property
     def time(self) -> str:

@@ -27,6 +27,7 @@ from asymptotics.ask.answers import FLAGS, Offers
 from asymptotics.ask.kinds import SECONDS, Kind, Option
 from asymptotics.errors import InputError
 from asymptotics.numbers.policy import float_notes
+from asymptotics.running.budget import DEFAULT_SECONDS
 from asymptotics.running.public import public, public_beside_others
 
 P = ParamSpec("P")
@@ -119,6 +120,10 @@ class Question:
             group = parser.add_argument_group(title)
             for option in (o for o in options if o.group == title and not o.place):
                 option.add_to(group)
+        for a in self.asked:
+            # The shell times a request before its values are read: a question with a time of its own says so here.
+            if a.name == "max_seconds" and a.default not in (None, DEFAULT_SECONDS):
+                parser.set_defaults(max_seconds=str(a.default))
         if refuse is not None:
             for name, reason in self.offers.lacks.items():
                 count: Any = 0 if name in FLAGS else "?"
@@ -193,11 +198,16 @@ class Question:
         }  # fmt: skip
 
     def in_python(self, error: InputError) -> InputError:
-        """The same error with the shell's name of an argument (FILE, --count) turned into that of the parameter."""
+        """The same error with the shell's names of arguments (FILE, --count) turned into those of the parameters.
+
+        In its reason and in what it accepts as well: ``--columns t=1,x=2`` is ``columns t=1,x=2``.
+        """
         called = {self.spelled(a.name): a.name for a in self.asked if not a.kind.options}
-        if error.argument not in called:
+        argument = called.get(error.argument, _in_python(error.argument, called))
+        texts = (argument, *(_in_python(text, called) for text in (error.reason, error.accepted)))
+        if texts == (error.argument, error.reason, error.accepted):
             return error
-        same = type(error)(called[error.argument], error.reason, error.accepted)
+        same = type(error)(*texts)
         return same.with_traceback(error.__traceback__)
 
     def feeds(self) -> dict[str, tuple[str, ...]]:
@@ -207,6 +217,17 @@ class Question:
 
 
 OPTIONS = "the options of the shell"  # no name of a parameter
+_SPELLED = re.compile(r"(?<![\w-])(?:--[a-z][a-z0-9-]*|[A-Z]{4,})(?![\w-])")
+
+
+def _in_python(text: str, called: Mapping[str, str]) -> str:
+    """Words of the shell in a text as Python has them: options without their dashes, FILE by its parameter."""
+
+    def name(found: re.Match[str]) -> str:
+        word = found[0]
+        return called.get(word, word[2:].replace("-", "_") if word.startswith("--") else word)
+
+    return _SPELLED.sub(name, text)
 
 
 def question(
@@ -262,7 +283,8 @@ def _question(function: Callable[..., Any], offers: Offers, name: str, swept: bo
 
 
 def _floats(made: Question, given: Mapping[str, Any]) -> tuple[str, ...]:
-    values = {a.name: given[a.name] for a in made.asked if not a.kind.options}
+    # Measured data are doubles: that they are read as such needs no note.
+    values = {a.name: given[a.name] for a in made.asked if not (a.kind.options or a.kind.words)}
     values = {name: v.tolist() if hasattr(v, "tolist") else v for name, v in values.items()}  # an array, a NumPy number
     several = {name: v if isinstance(v, list | tuple) else [v] for name, v in values.items()}
     return tuple(note for name, each in several.items() for v in each for note in float_notes(**{name: v}))

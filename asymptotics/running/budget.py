@@ -68,6 +68,12 @@ def seconds_left() -> float:
     return inf if current is None else current.deadline - monotonic()
 
 
+def seconds_given() -> float:
+    """What the budget in force was given, infinity without one: unlike what is left, the same in each run."""
+    current = _current.get()
+    return inf if current is None else current.seconds
+
+
 def require_seconds(estimate: float, work: str) -> None:
     """LimitError at once when an estimate is more than twice what is left: no use in starting."""
     current = _current.get()

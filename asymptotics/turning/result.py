@@ -65,7 +65,8 @@ class TurningPoint(Shown):
 
     def _time(self, name: str) -> str | None:
         if name != self.frame.time:
-            raise AttributeError(f"this turning point has no {name}: its time is {self.frame.time}")
+            units = f"in {self.frame.x} and {self.frame.t}" if self.frame.t else "without units"
+            raise InputError(name, f"this turning point is {units}", self.frame.time)
         return self.time
 
     @property

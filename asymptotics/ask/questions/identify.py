@@ -1,7 +1,7 @@
 """Which damping law is it: from a measured decay to exponents, strengths and intervals."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
@@ -10,6 +10,7 @@ from typing import Annotated, Any
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, POSITIVE, SECONDS, TEXT, Kind, Option, whole
 from asymptotics.ask.question import question
+from asymptotics.decays.identification.forward.work import PATIENCE
 from asymptotics.decays.identification.identify import identified
 from asymptotics.decays.identification.telling.html_report import html_report
 from asymptotics.decays.identification.telling.in_text import told
@@ -17,7 +18,7 @@ from asymptotics.decays.identification.telling.result import Identification
 from asymptotics.decays.records.columns import KINDS
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import UNITS
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import Number, exact_double
 from asymptotics.present.inputs import csv_text
@@ -43,7 +44,23 @@ def _kept(options: argparse.Namespace) -> bool:
     return not options.no_bootstrap
 
 
-RUNS = Kind("FILE", lambda data, _: data, place=True, several=True, words=True, schema={"type": "string"})
+def _runs(data: Any, name: str, x: Any = None) -> Any:
+    """The data as they are; with an array ``x`` beside an array of times the two are one record."""
+    if x is None:
+        return data
+    columns = {}
+    for argument, given in ((name, data), ("x", x)):
+        if isinstance(given, str | Path | Mapping) or hasattr(given, "read"):
+            reason = f"{shown(given)} is no column beside another one"
+            raise InputError(argument, reason, "identify(t, x) of two arrays; identify([run, run]) of several runs")
+        columns[argument] = real_array(given, argument)
+        if columns[argument].ndim != 1:
+            raise InputError(argument, f"its shape is {columns[argument].shape}", "a column of numbers")
+    return tuple(columns.values())
+
+
+RUNS = Kind("FILE", _runs, place=True, several=True, words=True, schema={"type": "string"}, beside=("x",))
+BESIDE = Kind("", lambda value, _: value, words=True, in_shell=False)
 KIND = TEXT.called(letter="KIND", group=_DATA, told=f": {', '.join(KINDS)}; default: found from the columns")
 UNIT = TEXT.called(letter="U", group=_DATA, told=f": {', '.join(UNITS)}; with milliseconds: mm,ms")
 WORDS = Kind("LAW", lambda words, _: words, words=True, several=True)
@@ -91,6 +108,7 @@ def _page(found: Identification, request: Request) -> str:
 )  # fmt: skip
 def identify(
     data: Annotated[Any, RUNS],
+    x: Annotated[Any, BESIDE] = None,
     *,
     kind: Annotated[str | None, KIND] = None,
     unit: Annotated[str, UNIT] = "",
@@ -108,7 +126,7 @@ def identify(
     omega_0: Annotated[Number | None, POSITIVE.called(letter="W", option="omega0", group=_LAW)] = None,
     noise: Annotated[Number | None, POSITIVE.called(letter="S", group=_DATA)] = None,
     bootstrap: Annotated[bool, BOOTSTRAP] = True,
-    max_seconds: Annotated[Number, SECONDS] = 60,
+    max_seconds: Annotated[Number, SECONDS.called(default=str(PATIENCE))] = PATIENCE,
 ) -> Identification:
     """Which damping law is it?  From a measured decay to exponents, strengths and honest intervals.
 
@@ -128,6 +146,8 @@ def identify(
     ----------
     data
         a table of any layout, xlsx, parquet, npz, mat; several: several runs
+    x
+        the column beside an array of times: ``identify(t, x)``
     kind
         what the columns are
     unit
@@ -173,10 +193,12 @@ def identify(
     Notes
     -----
     ``data`` is a file (a text table of any layout, xlsx, parquet, npz, mat), an open one, a data frame, a mapping of
-    columns, two arrays ``(t, x)``, observations, or a list of several runs.  ``kind`` is record, velocity,
+    columns, two arrays ``t, x`` or ``(t, x)``, observations, or a list of several runs.  ``kind`` is record, velocity,
     acceleration, turning-points or decrement; ``unit`` m, cm, mm, rad, deg, and of time too: "mm,ms".
     epsilon_i refers to x0 = 1 unit of the data: x'' + x + sum epsilon_i x'|x'|^(alpha_i - 1) = 0 in the time omega_0 t;
     b or b/m is given as far as ``mass``, ``stiffness``, ``omega_0`` or the times tell it.
+    What is judged is a matter of counted work (a minute of an ordinary core, or a tenth of ``max_seconds`` where that
+    is more), so that a verdict does not depend on how busy the machine is; what a limit cuts off is undecided.
 
     Examples
     --------

@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 from math import isnan
 from typing import Any
 
+from asymptotics.decays.identification.forward.candidates import loss_in_words
 from asymptotics.decays.identification.inverse_damping import DampingCandidate, Problem, Strength
+from asymptotics.decays.identification.judging.grades import off
 from asymptotics.errors import require_choice
 from asymptotics.present.shown import Page, Rows
 
@@ -49,9 +51,7 @@ class DampingLaw(Rows):
         best = self.best
         head = f"{_words(best)}: {best.told()}"
         if best.grade == "refuted":
-            head = (
-                f"no candidate fits; nearest is {_words(best)}, which leaves {100 * best.left:.1f} % of the loss open"
-            )
+            head = f"no candidate fits; nearest is {_words(best)}, whose damping is {off(best.left)} (root mean square)"
         parts = [head, ", ".join(self._shown(s) for s in best.strengths)]
         # Of its own grade, and not merely the same law with a term too many.
         others = [c.name for c in self.laws[1:] if c.grade == best.grade and not c.unneeded]
@@ -59,7 +59,7 @@ class DampingLaw(Rows):
         wider = [c for c in self.laws if c.unneeded and best.name != c.name and c.grade == "consistent"]
         for c in wider[:1]:
             extra = [s for s in c.strengths if s.alpha in c.unneeded]
-            limits = " and ".join(f"{_word(s.alpha)} below {s.high:.3g}{self._unit(s)}" for s in extra)
+            limits = " and ".join(f"{loss_in_words(s.alpha)} below {s.high:.3g}{self._unit(s)}" for s in extra)
             unsaid.append(f"{limits} from none")
         return "; ".join([*parts, *([f"the table cannot tell {', nor '.join(unsaid)}"] if unsaid else [])])
 
@@ -128,12 +128,5 @@ def _end(value: float) -> str | None:
     return None if isnan(value) else repr(value)
 
 
-_WORDS = {"0": "dry friction", "1": "viscous drag", "2": "drag in v^2", "3": "cubic drag"}
-
-
-def _word(alpha: str) -> str:
-    return _WORDS.get(alpha, f"drag in v^({alpha})")
-
-
 def _words(candidate: DampingCandidate) -> str:
-    return " and ".join(_word(s.alpha) for s in candidate.strengths)
+    return " and ".join(loss_in_words(s.alpha) for s in candidate.strengths)

@@ -10,12 +10,12 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from numbers import Real
 from typing import Any
 
 import numpy as np
 
 from asymptotics.decays.identification.fitting.correlation import block_length
-from asymptotics.decays.identification.fitting.in_time import Time
 from asymptotics.decays.identification.fitting.least_squares import Noise
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.fitting.profile import coordinate, wald_interval
@@ -25,17 +25,21 @@ from asymptotics.decays.identification.forward.candidates import (
     read_candidate,
     read_springs,
 )
+from asymptotics.decays.identification.forward.work import Work
 from asymptotics.decays.identification.judging.adequacy import Levels, noise_levels
 from asymptotics.decays.identification.judging.amplitudes import relieved, spring_bound, widened
 from asymptotics.decays.identification.judging.comparison import fit_laws
 from asymptotics.decays.identification.judging.judgement import judged, minimal, relabelled
-from asymptotics.decays.identification.judging.laws import Fitted, Judged
+from asymptotics.decays.identification.judging.laws import LIMIT, Fitted, Judged
 from asymptotics.decays.identification.judging.prediction import predicted_error
 from asymptotics.decays.identification.judging.single_fits import fit_decrements
 from asymptotics.decays.identification.measuring.defects import is_constant, is_growing
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.sources import LEAST_POINTS, load
-from asymptotics.decays.identification.telling.result import Identification, LawAnswer, RecordUnits, sorted_laws
+from asymptotics.decays.identification.telling.equivalents import omega_of
+from asymptotics.decays.identification.telling.law_answer import LawAnswer
+from asymptotics.decays.identification.telling.record_units import RecordUnits
+from asymptotics.decays.identification.telling.result import Identification, sorted_laws
 from asymptotics.decays.identification.telling.runs import common, verdict_of_runs
 from asymptotics.decays.identification.telling.verdicts import verdict_of
 from asymptotics.decays.identification.textbook import textbook_estimates
@@ -45,9 +49,12 @@ from asymptotics.errors import InputError, shown
 from asymptotics.running.budget import tick
 
 MAX_RUNS = 50
-"""A limit of the time, of which each run has its share: of a minute that is a second for each of fifty."""
+"""Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
 
 
+# A search may lead out of the doubles, and so do strengths of a record in units of 1e-40: what is no number there is
+# refused or has no limit, where it is used, and is no warning for the user.
+@np.errstate(all="ignore")
 def identified(
     data: Any,
     *,
@@ -84,16 +91,23 @@ def identified(
     answers = []
     for place, run in enumerate(runs):
         # What a run leaves of its share falls to those after it.
-        time = Time.but_for_the_answer(1 / (len(runs) - place))
-        answers.append(_one_run(run, candidates, known, amplitudes_only, scale, bootstrap, time))
+        work = Work.of_a_verdict(1 / (len(runs) - place))
+        answers.append(_one_run(run, candidates, known, amplitudes_only, scale, bootstrap, work))
     return answers[0] if len(answers) == 1 else _together(answers, known)
 
 
 def _sources(data: Any) -> list[Any]:
     """Several runs, or one; two arrays of numbers are one, (t, x)."""
-    if isinstance(data, tuple) and len(data) == 2 and all(isinstance(d, np.ndarray) and d.ndim == 1 for d in data):
+    if isinstance(data, tuple) and len(data) == 2 and all(map(_is_column, data)):
         return [{"t": data[0], "x": data[1]}]
     return list(data) if isinstance(data, list | tuple) else [data]
+
+
+def _is_column(data: Any) -> bool:
+    """A list of numbers, or an array or a series of one dimension."""
+    if isinstance(data, list | tuple):
+        return bool(data) and all(isinstance(value, Real) for value in data)
+    return getattr(data, "ndim", None) == 1 and hasattr(data, "dtype")
 
 
 def _in_range(run: Observations | Decrements, amplitudes: tuple[float, float] | None) -> Observations | Decrements:
@@ -138,14 +152,14 @@ def _one_run(
     amplitudes_only: bool,
     noise: Noise | None,
     bootstrap: bool,
-    time: Time,
+    work: Work,
 ) -> Identification:
     if isinstance(run, Decrements):
         return _decrements(run, candidates, units, noise)
     seen = run.without_times() if amplitudes_only else run
-    constant = is_constant(np.abs(seen.x))
+    constant = is_constant(seen.sizes)
     # A constant amplitude may be a little larger at its end.
-    growing = is_growing(seen.x) and not constant
+    growing = is_growing(seen.sizes) and not constant
     notes, fits = [*run.notes], []
     if constant:
         reason = "the amplitude is constant within the noise"
@@ -154,7 +168,7 @@ def _one_run(
         simple = [c for c in candidates if len(c.elements) == 1 and not c.free]
         fits = [Fitted(c, None, reason) for c in candidates if c not in simple]
         candidates = simple
-    fits = fit_laws(candidates, seen, noise, time) + fits
+    fits = fit_laws(candidates, seen, noise, work) + fits
     if not seen.has_times:
         unknown = "amplitudes cannot tell a nonlinear spring from position-dependent loss, nor measure either"
         notes.append(unknown + ("" if amplitudes_only else "; intervals and verdicts hold for a linear spring"))
@@ -165,37 +179,37 @@ def _one_run(
         # Before the verdicts: what an unseen spring would explain refutes no law; after them its intervals are widened.
         fits = [relieved(law, bound) for law in fits]
     # In this order: fits, verdicts and intervals, the verdict in words, the error of prediction, textbook estimators;
-    # what the time does not suffice for is left out from the end.
-    laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap, time=time)
+    # what the limit of work or time leaves is left out from the end.
+    laws = judged(fits, _levels(fits, noise), growing=growing, bootstrap=bootstrap, work=work)
     if bound is not None:
         laws = relabelled([widened(law, bound) for law in laws], growing)
-    # The advice fits again; where the time is not enough, the verdict is the same without it.
+    # The advice fits again; where the limit is reached, the verdict is the same without it.
     plain = verdict_of(laws, seen, growing, advice=False)
-    verdict = plain if seen.spacing else time.within(partial(verdict_of, laws, seen, growing), plain)
+    verdict = plain if seen.spacing else work.within(partial(verdict_of, laws, seen, growing), plain)
     notes += [*_untried(laws), *_lengths(laws), *_memory(laws)]
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
     # Each held-out error is a fit more: for the laws of the verdict only.
     chosen = {law.candidate for law in minimal(laws)[:4]}
     laws = [
-        law.with_evidence(held_out=time.within(partial(predicted_error, law.fitted, seen), None))
+        law.with_evidence(held_out=work.within(partial(predicted_error, law.fitted, seen), None))
         if law.candidate in chosen
         else law
         for law in laws
     ]
-    units = _measured(units, laws)
     odd = [law for law in laws if law.negative and law.verdict == "consistent" and not law.unneeded and not growing]
     notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative: unphysical" for law in odd[:3]]
-    answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
+    answers = tuple(LawAnswer(law, _measured(units, law)) for law in sorted_laws(laws))
     # An envelope has no swings that a textbook's estimator could count.
-    textbook: dict[str, Any] = {} if seen.spacing else time.within(lambda: textbook_estimates(seen), {})
-    return Identification(verdict, answers, (run,), textbook, tuple(notes), units)
+    textbook: dict[str, Any] = {} if seen.spacing else work.within(lambda: textbook_estimates(seen), {})
+    return Identification(verdict, answers, (run,), textbook, tuple(notes), answers[0].units)
 
 
 def _untried(laws: Sequence[Judged]) -> list[str]:
-    """What the time did not suffice for."""
+    """What the limit of work or time left."""
     left = [str(law.candidate) for law in laws if law.untried]
-    return [f"the time was over before {len(left)} of {len(laws)} laws were judged: {'; '.join(left)}"] if left else []
+    said = f"{LIMIT} was reached before {len(left)} of {len(laws)} laws were judged"
+    return [f"{said}: {'; '.join(left)}"] if left else []
 
 
 def _lengths(laws: Sequence[Judged]) -> list[str]:
@@ -259,13 +273,9 @@ def _together(answers: Sequence[Identification], units: RecordUnits) -> Identifi
     return Identification(verdict, shown, runs, {}, tuple(notes), units, per_run=tuple(answers))
 
 
-def _measured(units: RecordUnits, laws: Sequence[Judged]) -> RecordUnits:
-    """omega_0 from the times of the best law, if it is not given."""
-    best = min(laws, key=lambda law: law.criterion)
-    if units.omega_0 is None and best.fit is not None and best.fit.model.seen.has_times:
-        # The vector ends with ln omega_0 and t_0.
-        return replace(units, omega_0=float(np.exp(best.fit.theta[-2])))
-    return units
+def _measured(units: RecordUnits, law: Judged) -> RecordUnits:
+    """omega_0 from the times of a law, if it is not given: its strengths refer to its own."""
+    return units if units.omega_0 is not None or law.evidence.outside else replace(units, omega_0=omega_of(law))
 
 
 def _omega(mass: float | None, stiffness: float | None, omega_0: float | None) -> float | None:

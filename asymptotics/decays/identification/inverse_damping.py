@@ -38,7 +38,7 @@ from scipy.optimize import brentq, nnls
 from scipy.stats import chi2
 
 from asymptotics.decays.identification.between_amplitudes import means
-from asymptotics.decays.identification.judging.grades import grade_of, in_words
+from asymptotics.decays.identification.judging.grades import grade_of, in_words, off
 from asymptotics.decays.identification.measuring.criteria import aicc
 from asymptotics.equivalent.rows import cycle_of
 from asymptotics.law import Oscillator
@@ -108,7 +108,7 @@ class DampingCandidate(Shown):
         return in_words(self.grade, self.left)
 
     def _page(self) -> Page:
-        worth = f"estimate; it leaves {100 * self.left:.1f} % of the loss, p = {self.p:.2g}"
+        worth = f"estimate; its damping is {off(self.left)}, p = {self.p:.2g}"
         rows = tuple((s.alpha, f"{s.estimate:.4g}", f"[{s.low:.4g}, {s.high:.4g}]") for s in self.strengths)
         return Page(f"law {self.name}: {self.told()}", (worth,), ("exponent", "strength", "95 %"), rows)
 

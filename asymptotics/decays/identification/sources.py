@@ -42,21 +42,23 @@ def load(
         return [source]
     table = read_table(source, kind, unit, how)
     try:
-        if table.kind in ("record", "velocity", "acceleration"):
-            return _motions(table.whole())
+        if table.kind == "decrement":
+            return [_decrements(table)]
         if table.kind == "envelope":
-            return [_ringdown(table.whole(), omega_0)]
-        return [_turning_points(table) if table.kind == "turning-points" else _decrements(table)]
+            found: list[Observations] = [_ringdown(table.whole(), omega_0)]
+        else:
+            found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole())
+        return [replace(run, time_unit=table.clock) for run in found]
     except InputError as error:
         # A column that was taken wrongly may be why: the refusal names it, and those that swing more.
         told = table.read_as() if error.argument.startswith("FILE") else ""
         raise type(error)("FILE", f"{error.reason}; {told}", error.accepted) if told else error from None
 
 
-def _motions(table: RecordTable) -> list[Run]:
+def _motions(table: RecordTable) -> list[Observations]:
     t = table.columns["t"]
     pieces = runs_of(t)
-    found: list[Run] = []
+    found: list[Observations] = []
     for number, places in enumerate(pieces, start=1):
         run = table.kept(places) if len(pieces) > 1 else table
         if len(pieces) > 1:
@@ -67,7 +69,7 @@ def _motions(table: RecordTable) -> list[Run]:
     return found
 
 
-def _decays(run: RecordTable) -> list[Run]:
+def _decays(run: RecordTable) -> list[Observations]:
     """Each release of a run, without the samples that are spikes."""
     column = "xva"[_order(run)]
     t, x, rows, notes = straightened(run.columns["t"], run.columns[column], run.rows)
@@ -78,7 +80,7 @@ def _decays(run: RecordTable) -> list[Run]:
         notes = (*notes, f"{int(wild.sum())} samples far from their neighbours left out, the first is {first}")
         t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
     said = (*run.notes, *notes, *sensor_notes(t, x))
-    parts, found = releases(t, x), list[Run]()
+    parts, found = releases(t, x), list[Observations]()
     for number, places in enumerate(parts, start=1):
         own, told = rows if len(places) == len(t) else rows.kept(places), said
         if len(places) < len(t):

@@ -38,15 +38,17 @@ _TOLERATED = 0.1
 
 @dataclass(frozen=True)
 class RecordTable:
-    """Columns of equal length, by their names in the contract; ``unit``: of x; ``rows``: where they stand; ``read_as``:
-    a sentence on the columns of a file that has others too, for a refusal.  Of an envelope, ``frequency`` in Hz where
-    the file says it, and whether the errors are ``relative`` to the amplitudes, as those of levels are."""
+    """Columns of equal length, by their names in the contract; ``unit``: of x; ``rows``: where they stand; ``clock``:
+    the unit of time in the file (the times themselves are in s); ``read_as``: a sentence on the columns of a file that
+    has others too, for a refusal.  Of an envelope, ``frequency`` in Hz where the file says it, and whether the errors
+    are ``relative`` to the amplitudes, as those of levels are."""
 
     kind: str
     columns: dict[str, Array]
     unit: str
     rows: RowPlaces
     notes: tuple[str, ...] = ()
+    clock: str = "s"
     frequency: float | None = None
     relative: bool = False
     read_as: Callable[[], str] = field(default=str, compare=False)
@@ -188,11 +190,13 @@ def _readable(table: RecordTable, unread: Unread, given: Source) -> RecordTable:
 
 
 def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time: str) -> RecordTable:
-    columns, notes = dict(table.columns), list(table.notes)
+    columns, notes, clock = dict(table.columns), list(table.notes), "s"
     for column in ("t", "tau"):
         if column in columns:
             # Times become seconds; x keeps its unit, to which strengths refer.
-            columns[column] = columns[column] * seconds(given.names[choice.places[column]], given.name, time)
+            size = seconds(given.names[choice.places[column]], given.name, time)
+            columns[column] = columns[column] * size
+            clock = next(name for name, known in SECONDS.items() if known == size)
     measured = [
         given.names[choice.places[c]] for c in ("x", "v", "a", "amplitude", "decrement", "resolution") if c in columns
     ]
@@ -204,4 +208,4 @@ def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time
         other = standard(suffix(name))
         if other and not found:
             notes.append(f"the unit {other!r} of {name!r} is none of {', '.join(UNITS)}: strengths refer to 1 {other}")
-    return replace(table, columns=columns, unit=found, notes=tuple(notes))
+    return replace(table, columns=columns, unit=found, notes=tuple(notes), clock=clock)

@@ -34,7 +34,7 @@ def test_one_law_that_fits_is_named_with_its_strengths():
 def test_where_nothing_fits_the_nearest_is_named_with_what_it_leaves():
     found = law(candidate("7", "refuted"), candidate("1", "refuted"))
     assert found.verdict.startswith(
-        "no candidate fits; nearest is drag in v^(7), which leaves 12.3 % of the loss open;"
+        "no candidate fits; nearest is drag in v^(7), whose damping is 12 % off on average (root mean square);"
     )
     assert "cannot tell" not in found.verdict
 

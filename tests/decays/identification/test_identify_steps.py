@@ -19,7 +19,7 @@ from asymptotics.decays.identification.identify import (
 )
 from asymptotics.decays.identification.judging.laws import UNTRIED
 from asymptotics.decays.identification.measuring.observations import Observations
-from asymptotics.decays.identification.telling.result import RecordUnits
+from asymptotics.decays.identification.telling.record_units import RecordUnits
 from asymptotics.decays.records.units import GRAVITY
 from asymptotics.errors import InputError
 from tests.decays.identification import small_laws
@@ -83,7 +83,10 @@ def test_the_best_of_the_pendulums_is_told(monkeypatch, by_criterion):
 
 def test_what_the_time_did_not_suffice_for_is_counted_and_named():
     laws = [law("1"), law("2", missed=UNTRIED), law("1+2", missed=UNTRIED)]
-    assert _untried(laws) == ["the time was over before 2 of 3 laws were judged: 2; 1+2"] and _untried(laws[:1]) == []
+    assert (
+        _untried(laws) == ["the limit of work or time was reached before 2 of 3 laws were judged: 2; 1+2"]
+        and _untried(laws[:1]) == []
+    )
 
 
 def test_the_memory_of_residuals_is_told_of_consistent_laws_only(monkeypatch):
@@ -138,18 +141,18 @@ def test_laws_that_the_data_cannot_tell_are_refused(laws, springs, times, angles
         _candidates(laws, springs, times, angles)
 
 
-def test_the_frequency_is_that_of_the_best_law_that_was_fitted_to_times():
+def test_the_frequency_is_that_of_the_law_if_its_times_were_fitted():
     units = RecordUnits("m", 1.0, None, None, None)
     theta = np.array([0.0, 0.1, 0.0, np.log(3.0), 7.0])
-    fits = [
-        SimpleNamespace(theta=theta + k, model=SimpleNamespace(seen=SimpleNamespace(has_times=times)))
-        for k, times in ((0.0, True), (1.0, False))
-    ]
-    best, untimed, none = (law("1", fit=f, criterion=c) for f, c in ((fits[0], 2.0), (fits[1], 1.0), (None, 0.0)))
-    assert _measured(units, [law("2", fit=fits[1], criterion=3.0), best]).omega_0 == pytest.approx(3.0, rel=1e-15)
-    assert _measured(units, [best, untimed]) is units and _measured(units, [best, none]) is units
+    timed, untimed = (
+        SimpleNamespace(aicc=1.0, theta=theta, model=SimpleNamespace(seen=SimpleNamespace(has_times=times)))
+        for times in (True, False)
+    )
+    assert _measured(units, small_laws.law("1", timed)).omega_0 == pytest.approx(3.0, rel=1e-15)
+    for law_without in (small_laws.law("1", untimed), small_laws.law("1"), small_laws.law("1", timed, outside="far")):
+        assert _measured(units, law_without).omega_0 is None
     given = RecordUnits("m", 1.0, None, None, 5.0)
-    assert _measured(given, [best]) is given
+    assert _measured(given, small_laws.law("1", timed)) is given
 
 
 def test_the_frequency_is_given_once():

@@ -83,6 +83,9 @@ def stretch(fit: Fit, g: Function, drawn: Array) -> float:
     """By how much the interval of g must be longer than for white residuals; never shorter."""
     gradient = g(fit.theta)[1]
     error = fit.directions.standard_error(gradient)
-    spread = float(np.std((drawn - fit.theta) @ gradient))
+    if not 0 < error < np.inf:
+        return 1.0
+    # In units of the error: the square of a strength for x0 = 1 unit may leave the doubles.
+    spread = float(np.std((drawn - fit.theta) @ (gradient / error)))
     # Neighbours that alternate would shorten the interval; that is not believed.
-    return max(1.0, spread / error) if error > 0 else 1.0
+    return max(1.0, spread)

@@ -56,8 +56,10 @@ class Directions:
     def standard_error(self, gradient: Array) -> float:
         """That of a function of the parameters; infinite if most of it is what the data do not see."""
         parts = self.right @ (gradient / self.size) / self._floored
-        seen, unseen = np.linalg.norm(parts[self.seen]), np.linalg.norm(parts[~self.seen])
-        return float(np.hypot(seen, unseen)) if unseen <= seen else float("inf")
+        # In units of the largest: a strength for x0 = 1 unit may be so large that its square leaves the doubles.
+        largest = float(np.abs(parts).max()) or 1.0
+        seen, unseen = np.linalg.norm(parts[self.seen] / largest), np.linalg.norm(parts[~self.seen] / largest)
+        return largest * float(np.hypot(seen, unseen)) if unseen <= seen else float("inf")
 
     @property
     def _floored(self) -> Array:

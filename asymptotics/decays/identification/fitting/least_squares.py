@@ -38,6 +38,8 @@ _MODEL_SHARE = 3e-3
 """The last degree of a summed series, as a share of the noise: what is neglected is smaller still."""
 _WILD = 300.0
 """The largest |ln omega_0| of a step of the search: e^300 is still a double, and belongs to no clock."""
+_HUGE = 1e140
+"""Beyond this a prediction is none: its square would leave the doubles."""
 _NEARLY = 1e-10
 """Of a large chi-squared, which belongs to a law that is far away: N/2 times this is lost of the log-likelihood."""
 _FLOOR = 1e-9
@@ -276,13 +278,28 @@ def fit(model: Model, start: Array, noise: Noise | None = None) -> Fit:
             # A thousandth of a scale is a thousandth of the length of an interval.
             if all(abs(scales[k] - previous[k]) < 1e-3 * scales[k] for k in scales):
                 break
-    predicted, slopes = model.predict(theta)
+    predicted, slopes = predicted_at(model, theta)
     return Fit(model, theta, model.data - predicted, slopes, scales, known, converged)
+
+
+def predicted_at(model: Model, theta: Array) -> tuple[Array, Array]:
+    """``Model.predict``, without infinities: TooStrongError where a step of the search has left the doubles.
+
+    LAPACK is never handed a nan or an infinity, of which it writes to the terminal.
+    """
+    # The search may lead anywhere; what overflows there is refused, and is no warning for the user.
+    with np.errstate(all="ignore"):
+        predicted, slopes = model.predict(theta)
+        # Written so that nan is wild too.
+        tame = bool((np.abs(predicted) < _HUGE).all() and (np.abs(slopes) < _HUGE).all())
+    if not tame:
+        raise TooStrongError("the motion leaves every bound")
+    return predicted, slopes
 
 
 def likely_scales(model: Model, theta: Array, scales: dict[str, float]) -> dict[str, float]:
     """sqrt(RSS_g/(N_g - k_g)), k_g the trace of the hat matrix over the data of one kind; never below the floor."""
-    predicted, slopes = model.predict(theta)
+    predicted, slopes = predicted_at(model, theta)
     r = (model.data - predicted) / model.shape
     left = _left_over(model, slopes, scales)
     found = {}
@@ -303,6 +320,7 @@ def _left_over(model: Model, slopes: Array, scales: dict[str, float]) -> dict[st
     }
 
 
+@np.errstate(all="ignore")  # a step of the search may lead anywhere: a cost that overflows is refused there
 def minimise(
     model: Model, theta: Array, scales: dict[str, float], penalty: Penalty | None = None
 ) -> tuple[Array, bool]:
@@ -313,7 +331,7 @@ def minimise(
     sigma = model.scale_vector(scales)
 
     def residuals(at: Array) -> tuple[Array, Array]:
-        predicted, slopes = model.predict(at)
+        predicted, slopes = predicted_at(model, at)
         r, J = (model.data - predicted) / sigma, -slopes / sigma[:, None]
         if penalty is None:
             return r, J

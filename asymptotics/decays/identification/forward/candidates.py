@@ -88,6 +88,18 @@ def _loss_text(number: int, alpha: str, m: int) -> str:
     return f"e{number} {factor}{text}"
 
 
+def loss_in_words(alpha: str, m: int = 0) -> str:
+    """What a loss is called; ``m``: the power of |x| in it.
+
+    >>> loss_in_words("0"), loss_in_words("1"), loss_in_words("3/2"), loss_in_words("1", 2)
+    ('dry friction', 'viscous drag', 'drag in v^(3/2)', 'drag in |x|^2 v')
+    """
+    words = {"0": "dry friction", "1": "viscous drag", "2": "drag in v^2", "3": "cubic drag"}
+    if not m:
+        return words.get(alpha, f"drag in v^({alpha})")
+    return f"drag in |x|^{m} " + {"0": "sgn v", "1": "v"}.get(alpha, f"v^{alpha}")
+
+
 def default_candidates(with_springs: bool, angles: bool = False) -> list[Candidate]:
     """Every subset of the exponents 0, 1, 2, 3, and one free exponent; each with the springs x^3 and x^3, x^5 too,
     and for angles each sum as a pendulum."""

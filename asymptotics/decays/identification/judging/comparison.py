@@ -1,7 +1,7 @@
 """All candidates fitted to one run: each to the data themselves, or contained in a law that was, and is far from them.
 
 A law has at most the likelihood of a law that contains it.  So where a larger law is fitted and far from the best, all
-laws inside it are refuted by the same fit; all others are fitted.  What the time does not suffice for has no fit and
+laws inside it are refuted by the same fit; all others are fitted.  What the limit of work or time leaves has no fit and
 says so (``UNTRIED``): it is not judged.
 """
 
@@ -11,10 +11,10 @@ from functools import partial
 
 import numpy as np
 
-from asymptotics.decays.identification.fitting.in_time import ALL, Time
 from asymptotics.decays.identification.fitting.least_squares import Fit, Noise
 from asymptotics.decays.identification.forward.candidates import Candidate
 from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.decays.identification.forward.work import ALL, Work
 from asymptotics.decays.identification.judging.contradiction import further_parameters
 from asymptotics.decays.identification.judging.laws import UNTRIED, Fitted
 from asymptotics.decays.identification.judging.single_fits import embedded, fit_law
@@ -28,7 +28,7 @@ larger one speaks for, never what is said of a law that is fitted."""
 
 
 def fit_laws(
-    candidates: Sequence[Candidate], seen: Observations, noise: Noise | None = None, time: Time = ALL
+    candidates: Sequence[Candidate], seen: Observations, noise: Noise | None = None, work: Work = ALL
 ) -> list[Fitted]:
     """All candidates: the largest law of each spring first, then from few terms to many."""
     heads = heads_of(candidates)
@@ -40,8 +40,8 @@ def fit_laws(
         if said:
             found[candidate] = Fitted(candidate, None, said, far=True)
             continue
-        found[candidate] = time.within(partial(_fitted, candidate, found, seen, noise), law)
-    return _nested(list(found.values()), seen, noise, time)
+        found[candidate] = work.within(partial(_fitted, candidate, found, seen, noise), law)
+    return _nested(list(found.values()), seen, noise, work)
 
 
 def heads_of(candidates: Sequence[Candidate]) -> list[Candidate]:
@@ -100,7 +100,7 @@ def _margin(laws: Iterable[Fitted]) -> float:
     return _MARGIN * max(best.fit.chi2 / max(best.fit.freedom, 1), 1.0)
 
 
-def _nested(fits: Sequence[Fitted], seen: Observations, noise: Noise | None, time: Time) -> list[Fitted]:
+def _nested(fits: Sequence[Fitted], seen: Observations, noise: Noise | None, work: Work) -> list[Fitted]:
     """The same fits, none worse than that of a law it contains."""
     found = list(fits)
     for i in sorted(range(len(found)), key=lambda i: found[i].parameters):
@@ -110,7 +110,7 @@ def _nested(fits: Sequence[Fitted], seen: Observations, noise: Noise | None, tim
         best = max((law for law in inside if law.fit), key=lambda law: law.likelihood, default=found[i])
         if best.fit is not None and best.likelihood > found[i].likelihood + _WORSE:
             start = embedded(best.fit, best.candidate, found[i].candidate)
-            work = partial(fit_law, found[i].candidate, seen, noise, start=start)
+            again = partial(fit_law, found[i].candidate, seen, noise, start=start)
             missed = Fitted(found[i].candidate, None, UNTRIED)
-            found[i] = max(found[i], time.within(work, missed), key=lambda law: law.likelihood)
+            found[i] = max(found[i], work.within(again, missed), key=lambda law: law.likelihood)
     return found

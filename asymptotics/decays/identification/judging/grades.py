@@ -26,6 +26,8 @@ ADEQUATE = 0.10
 _DEGREES, _POINTS = 6, 41
 """What a law leaves is a smooth function of ln A, so that a low degree will do, chosen by BIC; places at which it is
 then averaged, many for that degree."""
+_SEEN = 5e-4
+"""A share below this is nothing that a damping measured to three digits shows."""
 _LEAST_FALL = 0.05
 """The range of ln A below which a slope in it would be noise alone."""
 
@@ -51,12 +53,12 @@ def unexplained(fit: Fit) -> Unexplained | None:
     if not model.alternating or len(seen.n) < 5:
         return None
     try:
-        size = model.amplitudes(fit.theta)[0][seen.n]
+        size = model.amplitudes(fit.theta)[0][seen.n[seen.inside]]
     except TooStrongError:
         return None
     if not (size > 0).all() or np.ptp(np.log(size)) < _LEAST_FALL:
         return None
-    return open_share(size, (seen.sign * (seen.x - fit.rest) - size) / size)
+    return open_share(size, ((seen.sign * (seen.x - fit.rest))[seen.inside] - size) / size)
 
 
 def open_share(size: Array, residual: Array) -> Unexplained:
@@ -82,8 +84,23 @@ def grade_of(verdict: str, share: float) -> str:
 
 
 def in_words(grade: str, share: float) -> str:
-    """The grade, with the share where it is one of ``adequate``."""
-    return f"adequate to {percent(share)} of the loss" if grade == "adequate" else grade
+    """The grade, with the share where it is one of ``adequate``; a share that is told as 0 contradicts nothing.
+
+    >>> in_words("adequate", 0.031), in_words("adequate", 1e-5), in_words("refuted", 0.4)
+    ('adequate to 3.1 % of the loss', 'consistent with the loss', 'refuted')
+    """
+    if grade != "adequate":
+        return grade
+    return f"adequate to {percent(share)} of the loss" if share >= _SEEN else "consistent with the loss"
+
+
+def off(share: float) -> str:
+    """By how much a damping is off, in words; never a share above the whole.
+
+    >>> off(0.123), off(170.0)
+    ('12 % off on average', 'off by more than the whole of it')
+    """
+    return f"{percent(share)} off on average" if share < 1 else "off by more than the whole of it"
 
 
 def percent(share: float) -> str:

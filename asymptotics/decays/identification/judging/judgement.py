@@ -13,9 +13,9 @@ from functools import partial
 import numpy as np
 
 from asymptotics.decays.identification.fitting.correlation import is_correlated, replicas, stretch
-from asymptotics.decays.identification.fitting.in_time import ALL, Time
 from asymptotics.decays.identification.fitting.least_squares import Fit
 from asymptotics.decays.identification.fitting.profile import Interval, profile_interval, wald_interval
+from asymptotics.decays.identification.forward.work import ALL, Work
 from asymptotics.decays.identification.judging.adequacy import Levels, adequate
 from asymptotics.decays.identification.judging.contradiction import (
     REFUTED,
@@ -30,19 +30,19 @@ from asymptotics.running.budget import tick
 _PROFILED = FEW = 8
 """So many candidates get profile likelihoods all, whether the data support them or not; of more, the laws of the
 verdict: a matter of work, and of the shape of their intervals, which by curvature are symmetric."""
-_BEYOND = 1.5
-"""By how much the first amplitude of a fit may exceed the data: it may lie up to half a swing before the first of them.
-A choice."""
+_BEYOND, _BEFORE = 1.5, 3.0
+"""By how much the amplitudes of a fit may exceed the data within the record (few samples miss the peaks), and in the
+half swing before the first of them.  Choices."""
 _DISFAVOURED = 1e-2
 """A law with more parameters, not refuted but less probable than this beside a simpler one, is not its rival.  A choice
 between the level of an interval and that of a refutation; such a law is named beside the verdict."""
 
 
 def judged(
-    fits: Sequence[Fitted], levels: Levels, *, growing: bool = False, bootstrap: bool = False, time: Time = ALL
+    fits: Sequence[Fitted], levels: Levels, *, growing: bool = False, bootstrap: bool = False, work: Work = ALL
 ) -> list[Judged]:
     """Verdicts and intervals: by profile likelihood for the laws that matter (or all, if few), else by curvature, as
-    where the time is over."""
+    where the limit of work or time is reached."""
     found = [_measured(law, levels, bootstrap) for law in fits]
     least = min((law.criterion for law in found), default=float("inf"))
     found = [replace(law, excess=law.criterion - least) if law.usable else law for law in found]
@@ -57,7 +57,7 @@ def judged(
         tick(f"the intervals of the law {candidate}")
         law = profiled[candidate]
         cut_off = replace(law, fitted=replace(law.fitted, reason=UNTRIED))
-        profiled[candidate] = time.within(partial(_profiled, law), cut_off)
+        profiled[candidate] = work.within(partial(_profiled, law), cut_off)
     # A profile may hold 0, or exclude it, where the curvature did not: the verdicts are made again.
     return relabelled([profiled[law.candidate] for law in rough], growing)
 
@@ -83,13 +83,15 @@ def outside(fit: Fit) -> str:
     model, seen = fit.model, fit.model.seen
     if not model.alternating:
         return ""
-    samples = seen.samples if seen.samples is not None and seen.samples.derivative == 0 else None
-    # About a base line that may be inclined no sample is farther away than their range.
-    largest = float(np.abs(seen.x - fit.rest).max() if samples is None else np.ptp(samples.x))
-    size = float(model.amplitudes(fit.theta)[0][seen.n].max())
-    return (
-        "" if size <= _BEYOND * largest else f"its first amplitude, {size:.3g}, is far outside the data ({largest:.3g})"
-    )
+    largest = float(np.abs(seen.x - fit.rest)[seen.inside].max())
+    if seen.samples is not None and seen.samples.derivative == 0:
+        # The smooth line may be wild too: the motion itself goes up and down by twice its amplitude.
+        largest = min(largest, float(np.ptp(seen.samples.x)) / 2)
+    size = model.amplitudes(fit.theta)[0][seen.n]
+    within, before = float(size[seen.inside].max()), float(size.max())
+    if within <= _BEYOND * largest and before <= _BEFORE * largest:
+        return ""
+    return f"its amplitude, {before:.3g}, is far outside the data ({largest:.3g})"
 
 
 def _intervals(law: Fitted, stretches: tuple[float, ...], *, profiled: bool) -> Intervals:

@@ -16,7 +16,8 @@ from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.judging.contradiction import Contradiction
 from asymptotics.decays.identification.judging.grades import Unexplained, grade_of, in_words
 
-UNTRIED = "not judged: the time was over"
+LIMIT = "the limit of work or time"
+UNTRIED = f"not judged: {LIMIT} was reached"
 
 
 @dataclass(frozen=True)
@@ -185,7 +186,7 @@ class Judged:
 
     @property
     def untried(self) -> bool:
-        """Whether the time was over before it was judged."""
+        """Whether the limit of work or time was reached before it was judged."""
         return self.fitted.reason == UNTRIED
 
     @property

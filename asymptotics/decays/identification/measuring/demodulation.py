@@ -45,6 +45,9 @@ _SPECTRAL = 60
 _FINE, _MARGIN = 40, 0.15
 """Places of the phase in a period; and by how much of a half-swing the phase at the start may be off before the turning
 point next to it is missed."""
+_STEEP = 1.0
+"""By how much ln A may change from the last sample to the turning point beyond it: no decay that is seen to swing
+changes by more in a half-swing, and a wild polynomial must not begin a fit far outside the data."""
 
 
 Flags = NDArray[np.bool_]
@@ -92,7 +95,8 @@ class SpectralLine:
             min(float(np.polyfit(g, s, 1)[0]), 0.0)
             for g, s in ((grid[:_FINE], size[:_FINE]), (grid[-_FINE:], size[-_FINE:]))
         ]
-        values = np.interp(times, grid, size) + np.where(outside < 0, slopes[0], slopes[1]) * outside / self.omega
+        beyond = np.where(outside < 0, slopes[0], slopes[1]) * outside / self.omega
+        values = np.interp(times, grid, size) + np.clip(beyond, -_STEEP, _STEEP)
         values = np.exp(values) * np.where(k % 2, -1.0, 1.0)
         # The third overtone and the slope of the amplitude move an extreme away from where the phase has it.
         for _ in range(_NEWTON):

@@ -39,8 +39,9 @@ class Observations(Alike):
     ``passage_t``: times at which x crosses 0 after turning point n (empty: none); ``sigma_x``, ``sigma_t``,
     ``sigma_passage``: standard errors known from elsewhere (empty: unknown); ``notes``: what was found and discarded
     on the way here; ``floor``: the error, as a share of the first amplitude and of 1/omega_0, that is there without
-    noise too; ``samples``: the motion itself, where it is fitted and the turning points only start the fit; ``stride``:
-    how many true half-swings one n of an envelope counts, and ``spacing`` the time between two (``ringdown``).
+    noise too; ``samples``: the motion itself, where it is fitted and the turning points only start the fit;
+    ``time_unit``: that of the file, in which a period is told (empty: s), while ``t`` is in s; ``stride``: how many
+    true half-swings one n of an envelope counts, and ``spacing`` the time between two (``ringdown``).
     """
 
     n: Indices
@@ -56,6 +57,7 @@ class Observations(Alike):
     notes: tuple[str, ...] = ()
     floor: float = 0.0
     samples: Samples | None = None
+    time_unit: str = ""
     stride: float = 1.0
     spacing: float | None = None
 
@@ -115,9 +117,23 @@ class Observations(Alike):
         return len(self.t) > 0
 
     @property
+    def inside(self) -> NDArray[np.bool_]:
+        """Which turning points were measured: the outermost ones of a smooth line may lie beyond its samples."""
+        if self.samples is None:
+            return np.ones(len(self.n), dtype=bool)
+        first, last = self.samples.t[0], self.samples.t[-1]
+        near = 1e-9 * (last - first)
+        return np.asarray((self.t >= first - near) & (self.t <= last + near))
+
+    @property
+    def sizes(self) -> Array:
+        """|x| at the turning points that were measured."""
+        return np.asarray(np.abs(self.x[self.inside]))
+
+    @property
     def reference(self) -> float:
-        """The amplitude at which strengths are compared: the first one."""
-        return float(np.abs(self.x[0]))
+        """The amplitude at which strengths are compared: the first that was measured."""
+        return float(self.sizes[0])
 
     @property
     def last(self) -> int:

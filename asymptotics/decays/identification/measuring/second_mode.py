@@ -100,12 +100,19 @@ def _chirp(t: Array, x: Array, omega: float) -> float:
     # Two slopes of less than three points each would be noise.
     if middle < 3:
         return 0.0
-    slopes = [
-        np.polyfit(np.arange(len(phase[part])), phase[part], 1, w=np.abs(means[part]) + 1e-300)[0]
-        for part in (slice(middle), slice(middle, None))
-    ]
+    slopes = [_slope(phase[part], np.abs(means[part])) for part in (slice(middle), slice(middle, None))]
     # The phase gains 4 pi times the share in each step of two periods.
     return float(abs(slopes[1] - slopes[0])) / (4 * np.pi)
+
+
+def _slope(y: Array, size: Array) -> float:
+    """Of y over its places, by least squares with the weights ``size``; 0 where nothing but one place has any."""
+    top = float(size.max())
+    # In units of the largest: the squares of a record in units of 1e-200 would be 0.
+    weight = (size / top) ** 2 if top > 0 else size
+    place = np.arange(len(y)) - float(weight @ np.arange(len(y))) / max(float(weight.sum()), 1e-300)
+    spread = float(weight @ place**2)
+    return float(weight @ (place * y)) / spread if spread > 1e-12 else 0.0
 
 
 def _fitted(t: Array, x: Array, omega: float, other: float) -> tuple[Array, str] | None:

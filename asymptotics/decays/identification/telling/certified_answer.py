@@ -13,7 +13,9 @@ from asymptotics.decays.identification.judging.allowance import allowances, told
 from asymptotics.decays.identification.judging.contradiction import further_parameters
 from asymptotics.decays.identification.judging.judgement import commented, contains, minimal
 from asymptotics.decays.identification.judging.laws import Fitted, Intervals, Judged
-from asymptotics.decays.identification.telling.result import Identification, LawAnswer, RecordUnits
+from asymptotics.decays.identification.telling.law_answer import LawAnswer
+from asymptotics.decays.identification.telling.record_units import RecordUnits
+from asymptotics.decays.identification.telling.result import Identification
 from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, MANY, NONE, SEVERAL, UNTOLD, Verdict, named
 from asymptotics.numbers.exact import parse_real
 from asymptotics.terms import Term

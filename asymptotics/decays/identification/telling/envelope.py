@@ -26,6 +26,7 @@ from asymptotics.decays.identification.fitting.starting import rest_position
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc
 from asymptotics.decays.identification.measuring.observations import Indices, Observations
+from asymptotics.decays.records.units import SECONDS
 
 Ends = dict[str, float]
 Decline = Callable[[float], Ends]
@@ -37,26 +38,36 @@ between an amplitude and half of it; and the AICc above the best up to which a c
 
 @dataclass(frozen=True)
 class Envelope:
-    """``period`` and ``half_life`` (from the first amplitude) in s, or the file's unit of time if it names none; None
-    without times; ``quality``: Q at three amplitudes."""
+    """``period`` and ``half_life`` (from the first amplitude) in the file's unit of ``time``, None without times;
+    ``quality``: Q at three amplitudes, in the ``unit`` of x."""
 
     period: Ends | None
     quality: tuple[Ends, ...]
     half_life: Ends | None
+    unit: str = ""
+    time: str = "s"
 
     def to_dict(self, law_known: bool) -> dict[str, Any]:
         """JSON-ready: numbers are strings, an end without a limit is null."""
         return {
             "period": _texts(self.period), "quality": [_texts(q) for q in self.quality],
-            "half_life": _texts(self.half_life), "law_known": law_known,
+            "half_life": _texts(self.half_life), "time_unit": self.time, "law_known": law_known,
         }  # fmt: skip
+
+    def told(self) -> str:
+        """One line: period, Q(A) and half-life with their intervals."""
+        each = [f"{_span(q)} at {q['amplitude']:.3g} {self.unit}".rstrip() for q in self.quality]
+        times = {"period": self.period, "half-life": self.half_life}
+        period, life = (f"{k} {_span(v)} {self.time}" if v else "" for k, v in times.items())
+        return "; ".join(
+            part for part in ("envelope, before any law: " + period, f"Q = {', '.join(each)}", life) if part
+        )
 
 
 def envelope(seen: Observations) -> Envelope | None:
     """From the turning points of a run; None where they are too few, or some are 0."""
     size = np.abs(seen.x - (rest_position(seen) if seen.samples is None else 0.0))
-    # The outermost points of a smooth line lie beyond the samples.
-    inside = np.ones(len(size), dtype=bool) if seen.samples is None else _covered(seen)
+    inside = seen.inside
     n, size = seen.n[inside], size[inside]
     if len(n) < _LEAST or not (size > 0).all():
         return None
@@ -69,11 +80,14 @@ def envelope(seen: Observations) -> Envelope | None:
     ends = np.array([size[0], np.sqrt(size[0] * size[-1]), size[-1]])
     quality = tuple(_quality(float(a), decline(float(a)), seen.stride) for a in ends)
     period = _period(n, seen.t[inside]) if seen.has_times else None
+    step = None if period is None else period["estimate"]
     if seen.spacing is not None:  # an envelope: n is an artificial clock, and the true period is known
-        true = 2 * seen.spacing / seen.stride
-        half_life = _half_life(decline, size, 2 * seen.spacing)
-        return Envelope({"low": true, "estimate": true, "high": true}, quality, half_life)
-    return Envelope(period, quality, None if period is None else _half_life(decline, size, period["estimate"]))
+        step = 2 * seen.spacing
+        period = dict.fromkeys(("low", "estimate", "high"), step / seen.stride)
+    life = None if step is None else _half_life(decline, size, step)
+    time = seen.time_unit or "s"
+    period, life = (v and {k: e / SECONDS[time] for k, e in v.items()} for v in (period, life))
+    return Envelope(period, quality, life, seen.unit, time)
 
 
 def _decline(n: Indices, size: Array, stated: float, error: Array | float) -> Decline | None:
@@ -124,18 +138,13 @@ class _Fall:
         return float(by @ self.coefficients), float(np.sqrt(by @ self.covariance @ by))
 
 
-def _covered(seen: Observations) -> Array:
-    assert seen.samples is not None
-    return np.asarray((seen.t >= seen.samples.t[0] - 1e-9) & (seen.t <= seen.samples.t[-1]))
-
-
 def _quality(amplitude: float, fall: Ends, stride: float) -> Ends:
     """Q = pi/2 over the fall in a half-swing; without a limit where that may be 0."""
     ends = {name: pi / 2 * stride / fall[by] if fall[by] > 0 else inf for name, by in _INVERTED.items()}
     return {"amplitude": amplitude, **ends}
 
 
-def _period(n: Array, t: Array) -> Ends:
+def _period(n: Indices, t: Array) -> Ends:
     """Twice the slope of the turning times; its chirp widens the interval."""
     line, deviation = np.polyfit(n, t, 1, cov=True) if len(n) > 4 else (np.polyfit(n, t, 1), np.zeros((2, 2)))
     reach = 2 * float(np.sqrt(deviation[0, 0])) * float(stdtrit(max(len(n) - 2, 1), 0.975))
@@ -152,6 +161,12 @@ def _half_life(decline: Decline, size: Array, period: float) -> Ends:
         rate = np.array([fall[by] for fall in found])
         ends[name] = float(np.trapezoid(1 / rate, grid)) * period / 2 if (rate > 0).all() else inf
     return ends
+
+
+def _span(ends: Ends) -> str:
+    low, high = ("-" if not np.isfinite(ends[k]) else f"{ends[k]:.3g}" for k in ("low", "high"))
+    middle = f"{ends['estimate']:.3g}" if np.isfinite(ends["estimate"]) else "without limit"
+    return middle if low == middle == high else f"{middle} [{low}, {high}]"
 
 
 def _texts(ends: Ends | None) -> dict[str, str | None] | None:

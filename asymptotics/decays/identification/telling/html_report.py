@@ -115,4 +115,4 @@ def _told(run: Observations | Decrements) -> tuple[str, str]:
         ends = f"{run.amplitude.max():.4g} to {run.amplitude.min():.4g}{unit}"
         return name, f"{len(run.decrement)} decrements, mean amplitudes from {ends}"
     times = "with times" if run.has_times else "without times"
-    return name, f"{len(run.n)} turning points {times}, |x| from {abs(run.x[0]):.4g} to {abs(run.x[-1]):.4g}{unit}"
+    return name, f"{len(run.n)} turning points {times}, |x| from {run.sizes[0]:.4g} to {run.sizes[-1]:.4g}{unit}"

@@ -13,7 +13,7 @@ import numpy as np
 from asymptotics.decays.identification.fitting.least_squares import Fit
 from asymptotics.decays.identification.fitting.profile import profile_curve, quantile
 from asymptotics.decays.identification.forward.coefficients import Array
-from asymptotics.decays.identification.judging.grades import percent
+from asymptotics.decays.identification.judging.grades import off
 from asymptotics.decays.identification.judging.laws import Judged
 from asymptotics.errors import InputError
 from asymptotics.present.drawn import head
@@ -106,7 +106,7 @@ def _draw_left(axes: Any, law: Judged) -> None:
     amplitude, value, _ = decrement_band(_fit_of(law))
     # Amplitudes fall with n, and interp wants them rising.
     drawn = np.interp(left.amplitudes, amplitude[::-1], value[::-1])
-    label = f"left unexplained: {percent(left.share)} of the loss"
+    label = f"measured: {law.candidate} is {off(left.share)}"
     axes.fill_between(left.amplitudes, drawn, drawn * (1 + left.ratio), color="C3", alpha=0.4, lw=0, label=label)
 
 

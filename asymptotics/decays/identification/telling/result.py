@@ -1,160 +1,26 @@
 """What identification found: a frozen record with a table, LaTeX and JSON."""
 
-import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from asymptotics.decays.identification.fitting.printed import Decrements
-from asymptotics.decays.identification.fitting.profile import Interval
-from asymptotics.decays.identification.forward.candidates import FREE
+from asymptotics.decays.identification.judging.judgement import rivals
 from asymptotics.decays.identification.judging.laws import Judged
 from asymptotics.decays.identification.measuring.observations import Observations
-from asymptotics.decays.identification.telling.envelope import envelope
-from asymptotics.decays.identification.telling.in_words import equivalent, in_words
+from asymptotics.decays.identification.telling.agreement import agreed
+from asymptotics.decays.identification.telling.envelope import Envelope, envelope
+from asymptotics.decays.identification.telling.equivalents import equivalent
+from asymptotics.decays.identification.telling.in_words import in_words
+from asymptotics.decays.identification.telling.law_answer import LETTERS, LawAnswer, number_text
 from asymptotics.decays.identification.telling.plots import draw_decrements, draw_panels, shown_laws
-from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, Verdict
+from asymptotics.decays.identification.telling.record_units import RecordUnits
+from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, MANY, Verdict
 from asymptotics.errors import require_choice
 from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.policy import exact_integer
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows, plain
-
-_LETTERS = {"x": "displacement", "b": "strength of a loss", "c": "strength of a spring",
-            r"\alpha": "the exponent that is fitted", r"\varepsilon": "strength of a loss"}  # fmt: skip
-
-
-_IN_TEX = ((r"\be(\d+)", r"\\varepsilon_{\1}"), (r"\bc(\d+)", r"c_{\1}"), (r"\^\(([^()]*)\)", r"^{\1}"))
-
-
-@dataclass(frozen=True)
-class RecordUnits:
-    """What is known of the oscillator beside the record: mass, stiffness, omega_0 (SI), and the unit of x in SI."""
-
-    unit: str = ""
-    size: float = 1.0
-    mass: float | None = None
-    stiffness: float | None = None
-    omega_0: float | None = None
-
-    def physical(self, alpha: float, position: int, epsilon: Interval) -> tuple[str, Interval] | None:
-        """(name, interval) of b or b/m in SI: b/m = epsilon omega_0^(2-alpha) (unit of x)^(1-alpha-m)."""
-        omega = self.omega_0
-        # The strength of a linear loss has no unit of length in it.
-        if omega is None or not (self.unit or alpha + position == 1):
-            return None
-        # x'' + omega_0^2 x + (b/m) |x|^m x'|x'|^(alpha - 1) = 0 in SI, scaled to the unit of x and the time omega_0 t.
-        factor = omega ** (2 - alpha) * self.size ** (1 - alpha - position)
-        name = "b/m"
-        if self.mass is not None:
-            name, factor = "b", factor * self.mass
-        low, high = (None if v is None else v * factor for v in (epsilon.low, epsilon.high))
-        return name, Interval(low, epsilon.estimate * factor, high)
-
-
-@dataclass(frozen=True, repr=False, eq=False)
-class LawAnswer(Alike, Rows):
-    """A candidate law for one run, as it is reported."""
-
-    law: Judged
-    units: RecordUnits = field(default_factory=RecordUnits)
-    certified: bool = False
-
-    def to_dict(self) -> dict[str, Any]:
-        """JSON-ready: numbers are strings."""
-        law, candidate = self.law, self.law.candidate
-        found: dict[str, Any] = {
-            "alphas": list(candidate.alphas),
-            "springs": [str(p) for p in candidate.springs],
-            "pendulum": candidate.pendulum,
-            "verdict": law.verdict,
-            "grade": law.grade,
-            "unexplained": None if law.evidence.unexplained is None else _number(law.evidence.unexplained.share),
-            "reason": law.reason or None,
-            "epsilon": [e.to_dict() for e in law.epsilon],
-            "spring_strengths": [e.to_dict() for e in law.springs],
-            "alpha": None if law.alpha is None else law.alpha.to_dict(),
-            "criterion": _number(law.criterion),
-            "criterion_difference": _number(law.excess),
-            "unneeded": list(law.unneeded),
-            "p_value": _number(law.evidence.against.p),
-            "bic": None if law.fit is None else _number(law.fit.bic),
-            "intervals": self._how(),
-            "unphysical": list(law.negative),
-            "held_out_error": None if law.evidence.held_out is None else _number(law.evidence.held_out),
-            "formula": candidate.formula(),
-        }
-        if law.fit is not None:
-            found["residual"] = {k: _number(v) for k, v in law.fit.scales.items()}
-        physical = [self.physical(i) for i in range(len(law.epsilon))]
-        if any(p is not None for p in physical):
-            found["physical"] = [None if p is None else {"quantity": p[0], **p[1].to_dict()} for p in physical]
-        return found
-
-    def _how(self) -> str:
-        """By what its intervals were found."""
-        return (
-            "certified set" if self.certified else "profile likelihood" if self.law.intervals.profiled else "curvature"
-        )
-
-    def physical(self, i: int) -> tuple[str, Interval] | None:
-        """b_i or b_i/m in SI, if the units are known and the exponent is given."""
-        i = exact_integer(i, "i", 0, len(self.law.epsilon) - 1)
-        element = self.law.candidate.elements[i]
-        # The unit of b would depend on the exponent that was found.
-        if self.law.candidate.losses[i][0] == FREE:
-            return None
-        return self.units.physical(element.velocity, element.position, self.law.epsilon[i])
-
-    def strengths(self) -> list[dict[str, Any]]:
-        """One row for each strength (and for a free exponent): estimate and both ends of its interval, as numbers."""
-        law, candidate = self.law, self.law.candidate
-        named = [("alpha", law.alpha)] if law.alpha is not None else []
-        named += [(f"epsilon {name}", e) for name, e in zip(candidate.alphas, law.epsilon)]
-        named += [(f"spring {p}", e) for p, e in zip(candidate.springs, law.springs)]
-        head = {"law": str(candidate), "verdict": law.verdict}
-        rest = {"dAICc": float(law.excess), "held_out_error": law.evidence.held_out}
-        return [
-            {**head, "parameter": name, "estimate": e.estimate, "low": e.low, "high": e.high, **rest}
-            for name, e in named
-        ]
-
-    def _page(self) -> Page:
-        rows = tuple(
-            (r["parameter"], f"{r['estimate']:.6g}", _end(r["low"]), _end(r["high"])) for r in self.strengths()
-        )
-        title = f"law {self.law.candidate}: {self.law.verdict}"
-        return Page(
-            title, (self.law.reason or "", f"intervals: {self._how()}"), ("", "estimate", "at least", "at most"), rows
-        )
-
-    def _table(self) -> dict[str, list[Any]]:
-        rows = self.strengths()
-        return {name: [row[name] for row in rows] for name in (rows[0] if rows else ())}
-
-    def _formula(self) -> str:
-        formula = self.law.candidate.formula().removesuffix(" = 0").replace("sgn(x')", r"\operatorname{sgn}(x')")
-        for plain_text, tex in _IN_TEX:
-            formula = re.sub(plain_text, tex, formula)
-        return formula.replace("alpha", r"\alpha") + " = 0"
-
-    def _letters(self) -> dict[str, str]:
-        return _LETTERS
-
-    def row(self) -> tuple[str, ...]:
-        """One line of the table: law, verdict, AICc difference, held-out error, strengths by exponent."""
-        law = self.law
-        names = [*law.candidate.alphas, *(f"s{p}" for p in law.candidate.springs)]
-        found = [_shown(e) for e in (*law.epsilon, *law.springs)]
-        named = [f"{name}: {text}" for name, text in zip(names, found)] if len(found) > 1 else found
-        strengths = "  ".join(([] if law.alpha is None else [f"alpha {_shown(law.alpha)}"]) + named)
-        excess = f"{law.excess:.1f}" if np.isfinite(law.excess) else "-"
-        held = "-" if law.evidence.held_out is None else f"{law.evidence.held_out:.2f}"
-        verdict = law.graded + (f", {' and '.join(law.unneeded)} not needed" if law.unneeded else "")
-        verdict += ", unphysical" if law.negative else ""
-        return str(law.candidate), verdict, excess, held, strengths
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -180,9 +46,24 @@ class Identification(Alike, Rows, Drawn):
         return self.laws[0]
 
     @property
+    def of_the_verdict(self) -> tuple[LawAnswer, ...]:
+        """The laws that compete, best first; where there are none, the first law."""
+        chosen = {law.candidate for law in rivals([answer.law for answer in self.laws])[0]}
+        return tuple(answer for answer in self.laws if answer.law.candidate in chosen) or self.laws[:1]
+
+    @property
     def in_words(self) -> str:
-        """Q at both ends of the record and the half-life, of the first law; empty beside springs and for tables."""
+        """Q at both ends of the record and the half-life, of the first law; empty for tables and several runs."""
         return in_words(self._equivalent(), self.units.unit)
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """Of each law of the verdict (three at most) words, equation, strengths and Q; what all of them say of Q; and
+        Q of the envelope, which needs no law."""
+        laws = self.of_the_verdict
+        found = [line for answer in laws[:MANY] for line in answer.lines]
+        together, bare = agreed([answer.law for answer in laws], self.units), self._bare()
+        return (*found, *([] if together is None else [str(together)]), *([] if bare is None else [bare.told()]))
 
     def _equivalent(self) -> dict[str, Any] | None:
         return None if self.per_run or not self.laws else equivalent(self.best.law, self.units.omega_0)
@@ -192,14 +73,13 @@ class Identification(Alike, Rows, Drawn):
         found = self._equivalent()
         if found is None:
             return None
-        rows = {name: [_number(x) for x in found[name]] for name in ("amplitudes", "Q", "zeta")}
-        return rows | {"half_life": _number(found["half_life"]), "half_life_unit": found["half_life_unit"]}
+        rows = {name: [number_text(x) for x in found[name]] for name in ("amplitudes", "Q", "zeta")}
+        return rows | {"half_life": number_text(found["half_life"]), "half_life_unit": found["half_life_unit"]}
 
-    def _envelope(self) -> dict[str, Any] | None:
-        """Period, Q(A) and half-life before any law, as JSON; of several runs, the first."""
+    def _bare(self) -> Envelope | None:
+        """Period, Q(A) and half-life before any law; of several runs, those of the first."""
         run = self.runs[0]
-        found = envelope(run) if isinstance(run, Observations) else None
-        return None if found is None else found.to_dict(self.verdict.kind == IDENTIFIED)
+        return envelope(run) if isinstance(run, Observations) else None
 
     def law(self, text: str) -> LawAnswer:
         """The answer for one candidate, by its name such as ``1+2`` or ``free+s3``; InputError if it is not there."""
@@ -208,19 +88,21 @@ class Identification(Alike, Rows, Drawn):
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: numbers are strings."""
+        bare, together = self._bare(), agreed([answer.law for answer in self.of_the_verdict], self.units)
         found: dict[str, Any] = {
             "verdict": self.verdict.text,
             "verdict_kind": self.verdict.kind,
             "telling": self.verdict.telling or None,
             "equivalent": self._equivalent_texts(),
-            "envelope": self._envelope(),
+            "envelope": None if bare is None else bare.to_dict(self.verdict.kind == IDENTIFIED),
+            "agreed": None if together is None else together.to_dict(),
             "not_excluded": [term.to_dict() for term in self.verdict.allowed],
             "laws": [law.to_dict() for law in self.laws],
             "untried": [str(law.law.candidate) for law in self.laws if law.law.untried],
             "data": [_data(run) for run in self.runs],
             "textbook": self.textbook,
             "unit": self.units.unit or None,
-            "omega_0": None if self.units.omega_0 is None else _number(self.units.omega_0),
+            "omega_0": None if self.units.omega_0 is None else number_text(self.units.omega_0),
             "notes": list(self.notes),
         }
         if self.per_run:
@@ -265,11 +147,11 @@ class Identification(Alike, Rows, Drawn):
     def _page(self) -> Page:
         """The verdict, then what tells the laws apart, the table of the first laws and the notes."""
         head = ("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]")
-        lines = (self.in_words, self.verdict.telling, *self.notes)
+        lines = (*self.lines, self.verdict.telling, *self.notes)
         return Page(self.verdict.text, lines, head, tuple(a.row() for a in self.laws))
 
     def _letters(self) -> dict[str, str]:
-        return _LETTERS
+        return LETTERS
 
     def _table(self) -> dict[str, list[Any]]:
         rows = [row for answer in self.laws for row in answer.strengths()]
@@ -279,32 +161,18 @@ class Identification(Alike, Rows, Drawn):
 def _data(run: "Observations | Decrements") -> dict[str, Any]:
     if isinstance(run, Decrements):
         return {"name": run.name, "decrements": len(run.decrement)}
-    return {"name": run.name, "turning_points": len(run.n), "times": run.has_times, "first": _number(float(run.x[0]))}
-
-
-def _number(value: float) -> str | None:
-    return f"{value:.8g}" if np.isfinite(value) else None
-
-
-def _end(value: float | None) -> str:
-    return "no limit" if value is None else f"{value:.6g}"
-
-
-def _shown(interval: Interval) -> str:
-    size = abs(interval.estimate)
-    width = min((abs(v - interval.estimate) for v in (interval.low, interval.high) if v is not None), default=size)
-    # Two digits of the shorter half of the interval; four at least, twelve at most.
-    digits = 4 if not 0 < width < size else min(12, max(4, 2 + int(np.ceil(np.log10(size / width)))))
-    ends = ["-" if v is None else f"{v:.{digits}g}" for v in (interval.low, interval.high)]
-    return f"{interval.estimate:.{digits}g} [{ends[0]}, {ends[1]}]"
+    return {"name": run.name, "turning_points": len(run.n), "times": run.has_times, "first": number_text(run.reference)}
 
 
 def sorted_laws(laws: Sequence[Judged]) -> list[Judged]:
     """The laws of the verdict (consistent, no term too many) first, of these the physical ones, then by the criterion;
-    laws without one last."""
+    laws without one last.  Where none is consistent, those that are no result, being unphysical or far outside the
+    data, come after those that are: they do not head an answer."""
+    standing = any(law.verdict == "consistent" for law in laws)
 
     def place(law: Judged) -> tuple[bool, bool, float, int]:
         chosen = law.verdict == "consistent" and not law.unneeded
-        return not chosen, chosen and bool(law.negative), law.criterion, len(law.candidate.losses)
+        spoilt = bool(law.negative or law.evidence.outside) and (chosen or not standing)
+        return not chosen, spoilt, law.criterion, len(law.candidate.losses)
 
     return sorted(laws, key=place)

@@ -23,7 +23,7 @@ from asymptotics.decays.identification.fitting.profile import Interval
 from asymptotics.decays.identification.judging.allowance import WEAK, allowances, told
 from asymptotics.decays.identification.judging.contradiction import REFUTED, Contradiction
 from asymptotics.decays.identification.judging.judgement import against, commented, is_negative, minimal
-from asymptotics.decays.identification.judging.laws import Fitted, Intervals, Judged
+from asymptotics.decays.identification.judging.laws import LIMIT, Fitted, Intervals, Judged
 from asymptotics.decays.identification.telling.verdicts import (
     IDENTIFIED,
     MANY,
@@ -75,6 +75,9 @@ def _common(laws: Sequence[Judged]) -> Judged:
     # none.
     if not np.isfinite(total):
         return Judged(Fitted(first.candidate, None), reason="not every run determines it")
+    wild = [law.evidence.outside for law in laws if law.evidence.outside]
+    if wild:
+        return Judged(Fitted(first.candidate, None), reason=f"in {len(wild)} of {len(laws)} runs {wild[0]}")
     epsilon = [_mean([law.epsilon[i] for law in laws]) for i in range(len(first.epsilon))]
     springs = [_mean([law.springs[i] for law in laws]) for i in range(len(first.springs))]
     exponents = [law.alpha for law in laws if law.alpha is not None]
@@ -102,7 +105,8 @@ def _judged(place: int, laws: Sequence[Judged], least: float, per_run: Sequence[
     if not np.isfinite(law.criterion):
         return law
     # As for one run: a loss that feeds a decay refutes nothing.
-    rivals = [i for i, other in enumerate(laws) if i != place and not other.negative]
+    alien = {i for run in per_run for i, other in enumerate(run) if other.evidence.outside}
+    rivals = [i for i, other in enumerate(laws) if i != place and not other.negative and i not in alien]
     found = [_combined([against(run[place], run[i]) for run in per_run]) for i in rivals]
     law = replace(law, excess=law.criterion - least)
     law = law.with_evidence(against=min(found, key=lambda c: c.p, default=Contradiction()))
@@ -135,7 +139,7 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[Judged], first: floa
     best = f"; best: {names}" if names else ""
     cut = sum(v.kind == UNDECIDED for v in runs)
     if cut:
-        text = f"{UNDECIDED}: the time was over before all laws were judged in {cut} of {len(runs)} runs{best}"
+        text = f"{UNDECIDED}: {LIMIT} was reached before all laws were judged in {cut} of {len(runs)} runs{best}"
         return Verdict(UNDECIDED, text, "more time (max_seconds), or fewer candidates (laws)")
     inadequate = sum(v.kind == NONE for v in runs)
     if inadequate:
@@ -143,6 +147,8 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[Judged], first: floa
         return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
     if len(chosen) == 1:
         return _one_law(chosen[0], laws, len(runs), first)
+    if not chosen and not any(law.verdict == "refuted" for law in laws):
+        return Verdict(UNTOLD, f"{UNTOLD} to tell: the {len(runs)} runs together determine no law")
     if not chosen:
         return Verdict(NONE, f"{NONE}: no law is consistent with all {len(runs)} runs together")
     if len(chosen) > MANY:

@@ -9,9 +9,9 @@ from asymptotics.decays.identification.fitting.least_squares import Noise
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.judging.allowance import WEAK, Allowance, allowances, told
 from asymptotics.decays.identification.judging.contradiction import REFUTED
-from asymptotics.decays.identification.judging.grades import percent
+from asymptotics.decays.identification.judging.grades import in_words, off
 from asymptotics.decays.identification.judging.judgement import minimal, rivals
-from asymptotics.decays.identification.judging.laws import Judged
+from asymptotics.decays.identification.judging.laws import LIMIT, Judged
 from asymptotics.decays.identification.judging.single_fits import fit_law
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.present.shown import Page, Shown
@@ -51,12 +51,12 @@ def verdict_of(
 
 
 def undecided(laws: Sequence[Judged]) -> Verdict | None:
-    """The verdict where the time was over before all laws were judged: none of them is identified."""
+    """The verdict where the limit was reached before all laws were judged: none of them is identified."""
     left = sum(law.untried for law in laws)
     if not left:
         return None
     names = "; ".join(named(law) for law in minimal(laws)[:6]) or "none"
-    text = f"{UNDECIDED}: the time was over before {left} of {len(laws)} laws were judged; consistent so far: {names}"
+    text = f"{UNDECIDED}: {LIMIT} was reached before {left} of {len(laws)} laws were judged; consistent so far: {names}"
     return Verdict(UNDECIDED, text, "more time (max_seconds), or fewer candidates (laws)")
 
 
@@ -64,10 +64,11 @@ def _verdict_of(laws: Sequence[Judged], seen: Observations | None, growing: bool
     fitted = [law for law in laws if law.usable]
     if not fitted:
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data determine no candidate law")
-    best = min(fitted, key=lambda law: law.criterion)
+    # A law that is no result, unphysical or far outside the data, heads an answer only where there is no other.
+    best = min(fitted, key=lambda law: (bool(law.evidence.outside), bool(law.negative) and not growing, law.criterion))
     chosen, beaten = rivals(laws)
     if not chosen:
-        return _nothing_fits(fitted, best)
+        return _nothing_stands(fitted, best)
     names = "; ".join(named(law) for law in chosen[:6])
     # Consistent, but only with a loss that feeds the motion: no physical law among the candidates stands.
     if not growing and all(_is_imitation(law) for law in chosen):
@@ -81,7 +82,7 @@ def _verdict_of(laws: Sequence[Judged], seen: Observations | None, growing: bool
     if all(e.contains(0.0) for law in chosen for e in law.epsilon):
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")
     if len(chosen) == 1:
-        return _one_law(chosen[0], best, beaten, laws, seen, advice)
+        return _one_law(chosen[0], fitted, beaten, laws, seen, advice)
     telling = what_would_tell(chosen[0], chosen[1], seen) if advice and seen is not None else ""
     if len(chosen) > MANY:
         return Verdict(UNTOLD, f"{UNTOLD} to tell {len(chosen)} laws apart: {names}", telling)
@@ -90,7 +91,7 @@ def _verdict_of(laws: Sequence[Judged], seen: Observations | None, growing: bool
 
 def _one_law(
     law: Judged,
-    best: Judged,
+    fitted: Sequence[Judged],
     beaten: Sequence[Judged],
     laws: Sequence[Judged],
     seen: Observations | None,
@@ -110,13 +111,23 @@ def _one_law(
         )
         text = f"{SEVERAL}: {named(law)} is the smallest, but a further term may carry over a fifth of the loss{said}"
         return Verdict(SEVERAL, text, what_would_tell(larger, law, seen) if advice else "", allowed)
-    text = f"{IDENTIFIED}: {named(law)}, among the laws tried{_beside(law, best, beaten)}{said}"
+    text = f"{IDENTIFIED}: {named(law)}, among the laws tried{_beside(law, fitted, beaten)}{said}"
     return Verdict(IDENTIFIED, text, "", allowed)
 
 
 def _is_imitation(law: Judged) -> bool:
     """Whether the interval of some loss lies below 0: a law that is no candidate may be imitated by such a sum."""
     return any(e.high is not None and e.high < 0 for e in law.epsilon)
+
+
+def _nothing_stands(fitted: Sequence[Judged], best: Judged) -> Verdict:
+    """None fits; or, where none is consistent and some are neither that nor refuted, too little to tell."""
+    unsettled = [law for law in fitted if law.verdict == "undetermined"]
+    if not unsettled:
+        return _nothing_fits(fitted, best)
+    first = min(unsettled, key=lambda law: law.criterion)
+    text = f"{UNTOLD} to tell: no law is consistent, {len(unsettled)} undetermined; of {first.candidate} {first.reason}"
+    return Verdict(UNTOLD, text, "more swings, a stretch of one free decay alone, or fewer candidates (laws)")
 
 
 def _nothing_fits(fitted: Sequence[Judged], best: Judged) -> Verdict:
@@ -137,11 +148,10 @@ def _nearest(fitted: Sequence[Judged], best: Judged) -> str:
         if left is not None:
             low, high = left.ends
             where = f"at amplitudes {low:.3g} to {high:.3g}"
-            return f"; {named(law)} is adequate to {percent(left.share)} of the loss {where}"
+            return f"; {named(law)} is {in_words('adequate', left.share)} {where}"
     if best.evidence.unexplained is None:
         return ""
-    share = best.evidence.unexplained.share
-    return f"; {named(best)} misses {percent(share) if share < 1 else 'more than all'} of the loss"
+    return f"; the damping of {named(best)} is {off(best.evidence.unexplained.share)}"
 
 
 def named(law: Judged) -> str:
@@ -152,10 +162,12 @@ def named(law: Judged) -> str:
     return str(law.candidate)
 
 
-def _beside(law: Judged, best: Judged, beaten: Sequence[Judged]) -> str:
+def _beside(law: Judged, fitted: Sequence[Judged], beaten: Sequence[Judged]) -> str:
+    best = min(fitted, key=lambda law: law.criterion)
     gain = law.criterion - best.criterion
+    spoilt = " (unphysical)" if best.negative else ""
     # A difference of 4 is the least that is customarily called considerable (Burnham and Anderson 2002).
-    said = f" (with more terms, {best.candidate}, AICc falls by {gain:.2g})" if gain > 4 else ""
+    said = f" (with more terms, {best.candidate}{spoilt}, AICc falls by {gain:.2g})" if gain > 4 else ""
     if beaten:
         said += f" (with more terms {', '.join(str(other.candidate) for other in beaten)} cannot be excluded)"
     return said

@@ -33,8 +33,8 @@ def test_levels_give_the_time_constant_and_q():
     assert answer.verdict.kind == "identified" and str(answer.best.law.candidate) == "1"
     # 2/(tau omega) of the amplitude's time constant, and Q its inverse; b/m = 2/tau has no unit of length.
     assert answer.best.law.epsilon[0].contains(2 / TAU / (2 * np.pi * F))
-    name, ends = answer.best.physical(0)
-    assert name == "b/m" and ends.contains(2 / TAU)
+    name, ends, unit = answer.best.beside(0)
+    assert (name, unit) == ("b/m", "1/s") and ends.contains(2 / TAU)
     told = answer.to_dict()["envelope"]
     assert float(told["period"]["estimate"]) == pytest.approx(1 / F)
     assert not answer.textbook

@@ -9,7 +9,7 @@ from asymptotics.decays.identification.fitting.profile import Interval
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
 from asymptotics.decays.identification.telling import certified_answer
 from asymptotics.decays.identification.telling.certified_answer import _embedded, _set, _sets, certified
-from asymptotics.decays.identification.telling.result import RecordUnits
+from asymptotics.decays.identification.telling.record_units import RecordUnits
 
 TABLE = Decrements(np.array([1.0, 0.8]), np.array([0.10, 0.06]), np.array([0.005, 0.005]))
 

@@ -11,7 +11,8 @@ import asymptotics as asy
 from asymptotics.decays.identification.forward.coefficients import loss
 from asymptotics.decays.identification.forward.pendulum import PendulumHalfSwing, angle
 from asymptotics.decays.identification.forward.sequence import turning_sequence
-from asymptotics.decays.identification.telling.in_words import equivalent_ratio, half_life, in_words, pendulum_ratios
+from asymptotics.decays.identification.telling.equivalents import equivalent_ratio, half_life, pendulum_ratios
+from asymptotics.decays.identification.telling.in_words import in_words
 
 
 @pytest.fixture(scope="module")
@@ -68,7 +69,7 @@ def test_a_pendulum_is_told_by_its_own_formula():
 def test_nothing_is_said_where_nothing_is_known():
     assert in_words(None, "m") == ""
     swings = {"amplitudes": [1.0, 0.5], "Q": [10.0, 20.0], "half_life": np.inf, "half_life_unit": "swings"}
-    assert in_words(swings, "deg") == "Q = 10 at 1 deg, 20 at 0.5 deg (first order, of the first law)"
+    assert in_words(swings, "deg") == "Q = 10 at 1 deg, 20 at 0.5 deg (first order)"
 
 
 def test_each_strength_of_a_sum_is_named_as_in_the_law():

@@ -9,7 +9,9 @@ from asymptotics.decays.identification.forward.candidates import read_candidate 
 from asymptotics.decays.identification.judging.contradiction import Contradiction
 from asymptotics.decays.identification.judging.grades import Unexplained
 from asymptotics.decays.identification.measuring.observations import Observations
-from asymptotics.decays.identification.telling.result import LawAnswer, RecordUnits, _data, _shown, sorted_laws
+from asymptotics.decays.identification.telling.law_answer import LawAnswer, _shown
+from asymptotics.decays.identification.telling.record_units import RecordUnits
+from asymptotics.decays.identification.telling.result import _data, sorted_laws
 from tests.decays.identification import small_laws
 from tests.decays.identification.small_laws import BELOW, SURE, fit
 
@@ -34,7 +36,8 @@ def test_every_entry_of_the_json_of_a_law():
         "spring_strengths": [Interval(0.1, 0.2, None).to_dict()], "alpha": None, "criterion": "-12.5",
         "criterion_difference": "0.25", "unneeded": ["s3"], "p_value": "0.125", "bic": "-7.5",
         "intervals": "profile likelihood", "unphysical": [], "held_out_error": "1.0625",
-        "formula": read("1+s3").formula(), "residual": {"x": "0.001", "t": "0.002"},
+        "formula": read("1+s3").formula(), "words": "viscous drag, hardening spring",
+        "residual": {"x": "0.001", "t": "0.002"},
     }  # fmt: skip
 
 
@@ -80,7 +83,8 @@ def test_without_a_frequency_or_a_unit_nothing_is_in_si():
 def test_each_loss_in_si_is_told_with_its_quantity():
     answer = LawAnswer(law("1"), RecordUnits("m", 1.0, None, None, 3.0))
     (found,) = answer.to_dict()["physical"]
-    assert found["quantity"] == "b/m" and float(found["estimate"]) == pytest.approx(0.15, rel=1e-12)
+    assert (found["quantity"], found["unit"]) == ("b/m", "1/s")
+    assert float(found["estimate"]) == pytest.approx(0.15, rel=1e-12)
 
 
 def test_the_rows_of_a_law_are_its_exponent_its_losses_and_its_springs():
@@ -131,6 +135,18 @@ def test_physical_laws_stand_before_those_with_a_negative_loss_which_say_so():
     laws = [law("0+2+3", unneeded=(), epsilon=negative, criterion=0.0), law("1+2", unneeded=(), criterion=5.0)]
     assert [str(one.candidate) for one in sorted_laws(laws)] == ["1+2", "0+2+3"]
     assert LawAnswer(laws[0]).row()[1] == "consistent, unphysical" and LawAnswer(laws[1]).row()[1] == "consistent"
+
+
+def test_where_none_is_consistent_a_physical_law_within_the_data_heads_the_answer():
+    laws = [
+        law("0+2+3", verdict="refuted", epsilon=(SURE, SURE, BELOW), criterion=0.0),
+        law("1+3", verdict="undetermined", epsilon=(SURE, SURE), outside="far", criterion=1.0),
+        law("1+2", verdict="refuted", unneeded=(), epsilon=(SURE, SURE), criterion=5.0),
+    ]
+    assert [str(one.candidate) for one in sorted_laws(laws)] == ["1+2", "0+2+3", "1+3"]
+    # Beside a consistent law the criterion alone puts the rest in order.
+    laws.append(law("2", unneeded=(), criterion=9.0))
+    assert [str(one.candidate) for one in sorted_laws(laws)] == ["2", "0+2+3", "1+3", "1+2"]
 
 
 def test_the_data_are_told_by_what_they_are():

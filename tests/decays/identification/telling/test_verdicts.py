@@ -113,7 +113,7 @@ def test_where_nothing_stands_it_is_said_what_is_near(judged):
     assert (
         kind == NONE and "the best is 0+1+2: a line; 2 is adequate to 3 % of the loss at amplitudes 0.1 to 0.9" in text
     )
-    assert verdict([best])[1].endswith("the best is 0+1+2: a line; 0+1+2 misses 12 % of the loss")
+    assert verdict([best])[1].endswith("the best is 0+1+2: a line; the damping of 0+1+2 is 12 % off on average")
     assert verdict([law("1")])[1].endswith("the best is 1: a line")
     support = law("1+2", epsilon=(SURE, BELOW))
     assert verdict([best, support])[1].startswith(
@@ -128,7 +128,7 @@ def test_while_a_law_is_untried_none_is_identified(judged):
     """Whatever stands so far: the verdict says how many are left, and which laws stand among the others."""
     one, more = law("1"), law("2", missed=UNTRIED, verdict="undetermined")
     judged.chosen = [one]
-    said = f"{UNDECIDED}: the time was over before 1 of 2 laws were judged; consistent so far: "
+    said = f"{UNDECIDED}: the limit of work or time was reached before 1 of 2 laws were judged; consistent so far: "
     assert verdict([one, more]) == (UNDECIDED, f"{said}1")
     assert verdict([law("1", verdict="refuted"), more]) == (UNDECIDED, f"{said}none")
     assert verdict([one, law("2", missed="too few data", verdict="undetermined")])[0] == IDENTIFIED
