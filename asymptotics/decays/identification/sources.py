@@ -120,7 +120,7 @@ def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[s
     # Within each release: a line has its own phase and size in each of them.
     whole = t
     # What never changes has no period, which the search for a second mode asks for.
-    if len(x) and not np.ptp(x) > 0:
+    if len(x) > 1 and not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name}, column {'xva'[_order(run)]}: all values are {x[0]:g}", "a motion")
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)

@@ -246,7 +246,7 @@ def test_what_is_measured_is_found_or_asked_for(tmp_path):
     v = -3 * np.exp(-T / 20) * np.sin(3 * T) - X / 20
     path.write_text(names + "\n" + "".join(f"{t:.6f},{a:.9f},{0.8 * a:.9f}\n" for t, a in zip(T, v)))
     # Both axes carry the swing; beside one that is constant it is not asked (``test_main_axis``).
-    with pytest.raises(InputError, match=r"v may be any of 'Gyroscope x \(rad/s\)', 'Gyroscope y .*--columns t=1,v=2"):
+    with pytest.raises(InputError, match=r"v may be any of 'Gyroscope x \(rad/s\)', 'Gyroscope y .*columns t=1,v=2"):
         asy.identify(path, laws=["1"])
     answer = asy.identify(path, laws=["1"], columns="t=Time,v=Gyroscope x")
     assert answer.units.unit == "rad"

@@ -1,4 +1,4 @@
-"""Period, Q(A) and half-life of a record before any law: from the envelope, a smooth curve through its amplitudes.
+"""Period, Q(A), T(A) and half-life of a record before any law: from the envelope, a smooth curve through amplitudes.
 
 In a half-swing ln A falls by a sum of powers of A (from 1/A to A^2; which of them, by AICc), and Q = pi/2 over this
 fall, at the first amplitude, the last and the geometric mean of both, with 95 % intervals of the regression.  No law of
@@ -26,6 +26,7 @@ from asymptotics.decays.identification.fitting.starting import rest_position
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc
 from asymptotics.decays.identification.measuring.observations import Indices, Observations
+from asymptotics.decays.identification.telling.backbone import backbone
 from asymptotics.decays.records.units import SECONDS
 
 Ends = dict[str, float]
@@ -39,28 +40,45 @@ between an amplitude and half of it; and the AICc above the best up to which a c
 @dataclass(frozen=True)
 class Envelope:
     """``period`` and ``half_life`` (from the first amplitude) in the file's unit of ``time``, None without times;
-    ``quality``: Q at three amplitudes, in the ``unit`` of x."""
+    ``quality``: Q at three amplitudes, in the ``unit`` of x; ``backbone``: the period at them, of turning times."""
 
     period: Ends | None
     quality: tuple[Ends, ...]
     half_life: Ends | None
     unit: str = ""
     time: str = "s"
+    backbone: tuple[Ends, ...] = ()
 
     def to_dict(self, law_known: bool) -> dict[str, Any]:
         """JSON-ready: numbers are strings, an end without a limit is null."""
         return {
             "period": _texts(self.period), "quality": [_texts(q) for q in self.quality],
             "half_life": _texts(self.half_life), "time_unit": self.time, "law_known": law_known,
+            "backbone": [self._at(row) for row in self.backbone],
         }  # fmt: skip
+
+    def _at(self, row: Ends) -> dict[str, Any]:
+        """The period in the file's unit of time, and omega in rad/s, at an amplitude."""
+        period = {name: row[name] for name in _INVERTED}
+        omega = {name: 2 * pi / (SECONDS[self.time] * row[by]) for name, by in _INVERTED.items()}
+        return {"amplitude": f"{row['amplitude']:.6g}", "period": _texts(period), "omega": _texts(omega)}
+
+    @property
+    def chirps(self) -> bool:
+        """Whether the period at the first amplitude is another than at the last."""
+        first, last = (self.backbone[0], self.backbone[-1]) if self.backbone else ({}, {})
+        return bool(first) and (first["high"] < last["low"] or last["high"] < first["low"])
 
     def told(self) -> str:
         """One line: period, Q(A) and half-life with their intervals."""
         each = [f"{_span(q)} at {q['amplitude']:.3g} {self.unit}".rstrip() for q in self.quality]
         times = {"period": self.period, "half-life": self.half_life}
         period, life = (f"{k} {_span(v)} {self.time}" if v else "" for k, v in times.items())
+        shown = self.backbone[:: len(self.backbone) - 1] if self.chirps else ()
+        ends = [f"{_span(row, 5)} at {row['amplitude']:.3g} {self.unit}".rstrip() for row in shown]
+        chirp = f"T = {', '.join(ends)}" if ends else ""
         return "; ".join(
-            part for part in ("envelope, before any law: " + period, f"Q = {', '.join(each)}", life) if part
+            part for part in ("envelope, before any law: " + period, chirp, f"Q = {', '.join(each)}", life) if part
         )
 
 
@@ -87,7 +105,16 @@ def envelope(seen: Observations) -> Envelope | None:
     life = None if step is None else _half_life(decline, size, step)
     time = seen.time_unit or "s"
     period, life = (v and {k: e / SECONDS[time] for k, e in v.items()} for v in (period, life))
-    return Envelope(period, quality, life, seen.unit, time)
+    return Envelope(period, quality, life, seen.unit, time, _backbone(seen, n, size, time))
+
+
+def _backbone(seen: Observations, n: Indices, size: Array, time: str) -> tuple[Ends, ...]:
+    """T(A) in the file's unit of time, where there are turning times."""
+    if not seen.has_times:
+        return ()
+    error = float(np.mean(seen.sigma_t[seen.inside])) if len(seen.sigma_t) else 0.0
+    rows = backbone(n, size, seen.t[seen.inside], error)
+    return tuple({k: v if k == "amplitude" else v / SECONDS[time] for k, v in row.items()} for row in rows)
 
 
 def _decline(n: Indices, size: Array, stated: float, error: Array | float) -> Decline | None:
@@ -163,9 +190,9 @@ def _half_life(decline: Decline, size: Array, period: float) -> Ends:
     return ends
 
 
-def _span(ends: Ends) -> str:
-    low, high = ("-" if not np.isfinite(ends[k]) else f"{ends[k]:.3g}" for k in ("low", "high"))
-    middle = f"{ends['estimate']:.3g}" if np.isfinite(ends["estimate"]) else "without limit"
+def _span(ends: Ends, digits: int = 3) -> str:
+    low, high = ("-" if not np.isfinite(ends[k]) else f"{ends[k]:.{digits}g}" for k in ("low", "high"))
+    middle = f"{ends['estimate']:.{digits}g}" if np.isfinite(ends["estimate"]) else "without limit"
     return middle if low == middle == high else f"{middle} [{low}, {high}]"
 
 
