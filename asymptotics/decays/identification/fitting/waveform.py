@@ -17,7 +17,7 @@ from asymptotics.decays.identification.forward.coefficients import Array, Elemen
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.forward.swing import HalfSwingModel
 from asymptotics.decays.identification.forward.work import counted
-from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.measuring.observations import Indices, Observations
 
 _STEPS, _NEAR_THE_TOP = 16, 48
 """Steps of a half-swing (of a pendulum beyond 130 degrees): what they leave is below 1e-6 of the amplitude, the least
@@ -95,6 +95,39 @@ class WaveformModel(Model):
         slopes *= radius[:, None]
         slopes[:, after], slopes[:, after + 1] = 1.0, self._u
         return self._white(radius * x + theta[after] + theta[after + 1] * self._u), self._white(slopes)
+
+    def measured_sizes(self, theta: Array) -> tuple[Indices, Array, Array]:
+        """(n, amplitude, its standard error) at the turning points with samples of half a swing on both sides.
+
+        The amplitude of the law, and the size of cos(omega_0 (t - t_n)) in what it leaves of the samples there: the
+        motion as it is measured, without a smooth line.
+        """
+        t, times, size = self.samples.t, self.turning_times(theta), self.amplitudes(theta)[0]
+        left = self._coloured(self.data - self.predict(theta)[0])
+        rate, found = float(np.exp(theta[-2])), []
+        for n, centre in enumerate(times):
+            place = rate * (t - centre)
+            near = np.abs(place) < np.pi / 2
+            wave = np.cos(place[near])
+            # As many samples as tell a size, of both sides, about a turning point whose swing is whole.
+            inside = t[0] <= centre - np.pi / 2 / rate and centre + np.pi / 2 / rate <= t[-1]
+            if inside and (place[near] < 0).any() and (place[near] > 0).any():
+                power, sign = float(wave @ wave), float(self.seen.sign[0]) * (-1.0) ** n
+                # Neighbours that remember count for fewer.
+                spread = self.samples.noise * np.sqrt((1 + self.samples.memory) / (1 - self.samples.memory) / power)
+                found.append((n, size[n] + sign * float(wave @ left[near]) / power, spread))
+        rows = np.array(found).reshape(-1, 3)
+        return rows[:, 0].astype(int), rows[:, 1], rows[:, 2]
+
+    def _coloured(self, white: Array) -> Array:
+        """What ``_white`` was made of."""
+        size = np.sqrt(1 - self.samples.memory**2)
+        values: Array = np.array(white) / size
+        if self.samples.memory:
+            values[1:] *= np.sqrt(1 - self._rho**2)
+            for i, rho in enumerate(self._rho, start=1):
+                values[i] += rho * values[i - 1]
+        return values
 
     def _white(self, values: Array) -> Array:
         """The innovations of an AR(1) process in continuous time; the values themselves without memory."""
