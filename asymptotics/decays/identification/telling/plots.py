@@ -45,7 +45,8 @@ def draw_panels(answer: Any, axes: Any) -> None:
     grid = place.subgridspec(2, 2)
     axes.set_subplotspec(grid[0, 0])
     classical, residuals, profile = (figure.add_subplot(grid[k]) for k in ((0, 1), (1, 0), (1, 1)))
-    figure.suptitle("\n".join(wrap(answer.verdict.text, 110)), fontsize=11)
+    said = [line for text in (answer.verdict.text, answer.quality_in_words) for line in wrap(text, 110)]
+    figure.suptitle("\n".join(said), fontsize=11)
     _decay(axes, shown[0], answer.units.unit)
     draw_decrements(classical, shown, answer.units.unit)
     _residuals(residuals, shown[0])
