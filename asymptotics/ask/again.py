@@ -11,6 +11,7 @@ certifies is not judged; of a sweep each row is asked again, and the rows that a
 
 import csv
 import io
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,16 +19,16 @@ from asymptotics.ask.answers import Again
 from asymptotics.ask.axes import point_options, takes_no_value
 from asymptotics.ask.question import Question
 from asymptotics.ask.registry import SWEPT, loaded
-from asymptotics.ask.typed import answered, stated_request
+from asymptotics.ask.typed import Answered, answered, stated_request
 from asymptotics.decays.comparison.cells import Cells, cells_so_far, compared_cells, longest_of, same
 from asymptotics.decays.comparison.reading import rows_of_file
 from asymptotics.decays.comparison.run import GUARD, LEAST_DIGITS, Comparison
 from asymptotics.errors import InputError, shown
+from asymptotics.present.double_errors import stated_errors
 from asymptotics.present.inputs import stated_words
 from asymptotics.running.cut_short import changed
 from asymptotics.sweeps.export import flat
 from asymptotics.sweeps.exported import SUFFIXES, read_exported
-from asymptotics.sweeps.grid import Point
 
 Rows = list[tuple[int, list[str]]]
 _TOLD = frozenset((  # parts of a sweep's results that are bounds, provenance or pictures of numbers
@@ -65,11 +66,13 @@ def compare_again(path: Path, digits: int | None) -> Comparison:
     again = asked.offers.again or Again()
     wanted = min(wanted, _most_digits(asked, wanted))
     if again.compared is not None:
-        own: Comparison = again.compared(point, header, rows, wanted)
+        own: Comparison = again.compared(point, header, rows, wanted, stated_errors(path))
         return own
     # The whole answer is computed first, and compared afterwards.
     with changed(lambda _: None):  # rows of the request that are done are no rows of a comparison
-        return compared_cells(rows, header, _cells_again(asked, again, point, wanted), wanted)
+        answer = answered(asked.name, again.at(point, wanted), file=True)
+        found = compared_cells(rows, header, _cells_again(answer, again, wanted), wanted)
+        return replace(found, side=answer.found)
 
 
 def _read(path: Path) -> tuple[list[str], list[str], Rows]:
@@ -88,9 +91,8 @@ def _most_digits(asked: Question, otherwise: int) -> int:
     return int(known[0].kind.schema["maximum"]) if known else otherwise
 
 
-def _cells_again(asked: Question, again: Again, point: Point, digits: int) -> Cells:
+def _cells_again(answer: Answered, again: Again, digits: int) -> Cells:
     """The table that the command writes when it is asked again."""
-    answer = answered(asked.name, again.at(point, digits), file=True)
     head, *rows = csv.reader(io.StringIO(answer.csv))
     header = (*head[:-1], "code")
     keys = tuple(name for name in header if name.split(" [")[0] in again.keys)
@@ -98,7 +100,7 @@ def _cells_again(asked: Question, again: Again, point: Point, digits: int) -> Ce
         raise InputError("FILE", "no route certifies what its request gives: estimates", "a file of certified values")
     cells = again.rows([tuple(row) for row in rows], header)
     apart = frozenset((again.apart & set(header)) | {"code"})
-    return Cells(header, tuple(cells), keys, apart, method=f"{asked.name} again, at {digits} digits")
+    return Cells(header, tuple(cells), keys, apart, method=f"{answer.question.name} again, at {digits} digits")
 
 
 def _swept_names(words: list[str], header: list[str]) -> tuple[str, list[str]]:

@@ -67,7 +67,7 @@ class Said:
                 raise InputError(f"--{name}", "a table has its own units", "no such option with a table")
         if needed and not (options.alpha or options.law or self.law or self.alpha):
             reason = "is missing: coefficients alone do not say of which law"
-            raise InputError("alpha", reason, "--alpha A, or --law A:E")
+            raise InputError("alpha", reason, "an exponent, or a law")
         if options.law and (options.alpha is not None or options.epsilon is not None):
             raise InputError("--law", "it stands next to --alpha or --epsilon", "one or the other")
         if options.alpha is None and options.epsilon is None and not options.law:

@@ -74,8 +74,8 @@ class Again:
     ``keys``: columns by which a row is found; ``apart``: those of bounds and remarks, of which more digits say nothing.
     ``at``: the point at which it is asked again; ``rows``: what is right in the place of a row.  Of a sweep: ``judged``
     columns (none: all), and the ``route`` that judges them.  ``exact``: what it says is proved, though no field says
-    so.  ``compared``: an own way, of the words of the header, the head, the rows and the digits; ``words``: what such a
-    header has besides the options.
+    so.  ``compared``: an own way, of the words of the header, the head, the rows, the digits and the errors that
+    columns of doubles may have; ``words``: what such a header has besides the options.
     """
 
     keys: tuple[str, ...] = ("part", "series", "k", "quantity", "n", "i")
@@ -85,7 +85,7 @@ class Again:
     judged: tuple[str, ...] = ()
     route: str = ""
     exact: bool = False
-    compared: Callable[[dict[str, str], list[str], list[tuple[int, list[str]]], int], Any] | None = None
+    compared: Callable[..., Any] | None = None
     words: tuple[str, ...] = ()
 
 

@@ -198,11 +198,16 @@ class Question:
         }  # fmt: skip
 
     def in_python(self, error: InputError) -> InputError:
-        """The same error with the shell's name of an argument (FILE, --count) turned into that of the parameter."""
+        """The same error with the shell's names of arguments (FILE, --count) turned into those of the parameters.
+
+        In its reason and in what it accepts as well: ``--columns t=1,x=2`` is ``columns t=1,x=2``.
+        """
         called = {self.spelled(a.name): a.name for a in self.asked if not a.kind.options}
-        if error.argument not in called:
+        argument = called.get(error.argument, _in_python(error.argument, called))
+        texts = (argument, *(_in_python(text, called) for text in (error.reason, error.accepted)))
+        if texts == (error.argument, error.reason, error.accepted):
             return error
-        same = type(error)(called[error.argument], error.reason, error.accepted)
+        same = type(error)(*texts)
         return same.with_traceback(error.__traceback__)
 
     def feeds(self) -> dict[str, tuple[str, ...]]:
@@ -212,6 +217,17 @@ class Question:
 
 
 OPTIONS = "the options of the shell"  # no name of a parameter
+_SPELLED = re.compile(r"(?<![\w-])(?:--[a-z][a-z0-9-]*|[A-Z]{4,})(?![\w-])")
+
+
+def _in_python(text: str, called: Mapping[str, str]) -> str:
+    """Words of the shell in a text as Python has them: options without their dashes, FILE by its parameter."""
+
+    def name(found: re.Match[str]) -> str:
+        word = found[0]
+        return called.get(word, word[2:].replace("-", "_") if word.startswith("--") else word)
+
+    return _SPELLED.sub(name, text)
 
 
 def question(
@@ -267,7 +283,8 @@ def _question(function: Callable[..., Any], offers: Offers, name: str, swept: bo
 
 
 def _floats(made: Question, given: Mapping[str, Any]) -> tuple[str, ...]:
-    values = {a.name: given[a.name] for a in made.asked if not a.kind.options}
+    # Measured data are doubles: that they are read as such needs no note.
+    values = {a.name: given[a.name] for a in made.asked if not (a.kind.options or a.kind.words)}
     values = {name: v.tolist() if hasattr(v, "tolist") else v for name, v in values.items()}  # an array, a NumPy number
     several = {name: v if isinstance(v, list | tuple) else [v] for name, v in values.items()}
     return tuple(note for name, each in several.items() for v in each for note in float_notes(**{name: v}))

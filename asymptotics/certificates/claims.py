@@ -45,7 +45,7 @@ def rest_claim(number: int) -> Claim:
     return {"kind": "rest", "number": number}
 
 
-def state_claim(t: Fraction, x: str, v: str, digits: int) -> Claim:
+def state_claim(t: Fraction, x: str | None, v: str | None, digits: int) -> Claim:
     """The state at an exact time since the start."""
     return {"kind": "state", "digits": digits, "t": str(t), "x": x, "v": v}
 
@@ -59,7 +59,8 @@ def error_allowed(claims: Iterable[Claim], stiffness: float) -> float:
                 continue
             unit = (Decimal(claim[name]).adjusted() - claim["digits"] + 1) * _LOG2_10
             # A turning point is as early or late as the error over the acceleration.
-            late = log2(stiffness * abs(float(claim["x"]))) if name == "t" and float(claim["x"]) else 0.0
+            place = 0.0 if name != "t" or claim["x"] is None else float(claim["x"])
+            late = log2(stiffness * abs(place)) if place else 0.0
             sizes.append(unit + min(0.0, late))
     return min(sizes) - _SHARE
 

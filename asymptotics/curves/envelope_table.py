@@ -11,10 +11,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from asymptotics.curves.double_errors import of_envelope
 from asymptotics.curves.large import SpringEnvelope
 from asymptotics.curves.slow import Envelope
 from asymptotics.envelopes.symbolic import SQUARING
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.present.double_errors import with_errors
 from asymptotics.present.inputs import csv_text
 
 Curve = Envelope | SpringEnvelope
@@ -22,8 +24,10 @@ Curve = Envelope | SpringEnvelope
 
 def envelope_table(found: Curve, until: ExactReal, points: int, order: int | None = None) -> str:
     """t, A and phi at ``points`` + 1 times as CSV, in doubles; of the first order, or of ``order``."""
-    rows = zip(*found.columns(table_times(until, points), order=order))
-    return csv_text(table_head(found), ([repr(float(c)) for c in row] for row in rows))
+    times = table_times(until, points)
+    rows = zip(*found.columns(times, order=order))
+    text = csv_text(table_head(found), ([repr(float(c)) for c in row] for row in rows))
+    return with_errors(text, of_envelope(found, times, order))
 
 
 def table_head(found: Curve) -> tuple[str, str, str]:

@@ -21,7 +21,6 @@ from sympy import Expr, Symbol
 
 from asymptotics.envelopes.slow_time import epsilon
 from asymptotics.errors import InputError, LimitError
-from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.law import Oscillator
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.bridge import to_sympy
@@ -42,7 +41,7 @@ _CHUNK, _GUARD, _MOST_TURNS = 1 << 14, 64, 2000
 def functions(s: Any, strength: Any) -> tuple[Function, Function, Function]:
     """(A, phi, x) as functions of arrays tau and epsilon, or of tau alone with a ``strength``."""
     # Twenty digits, since a double holds 17: rates that are decimals must not be what limits an array.
-    s = s.refined(20)
+    s = s.refined(20).formulas
     names, shape, begun = [tau, epsilon, *s.letters], _shape(s), _letters(s)
     amplitude, phase = (sympy.lambdify(names, e, "numpy", cse=True) for e in (s.amplitude, s.phase))
 
@@ -84,7 +83,7 @@ def _letters(s: Any) -> Function:
 def _shape(s: Any) -> Function:
     """cos psi + sum delta^k x_k(psi) in doubles, 0 <= psi <= pi: polynomials, or a table of the open integrals."""
     # Closed waveforms of other exponents hold hypergeometric functions, which NumPy does not have: the table has them.
-    if isinstance(s.scales.kernel, TurningHierarchy) or s.order == 1:
+    if s.has_formulas:
         return sympy.lambdify([chi, delta], s.shape(chi), "numpy", cse=True)  # type: ignore[no-any-return]
     waves = s.waveforms
 
@@ -101,6 +100,7 @@ def _shape(s: Any) -> Function:
 
 def numbers(s: Any, number: Expr, digits: int) -> tuple[Any, Any, Any]:
     """A, phi and x at tau = ``number`` as mpmath numbers of about that many digits."""
+    s = s.formulas
     # 1/D = 1 - (1-alpha) p_1 epsilon tau is positive until A_0 vanishes; beyond, the root of a negative number would
     # give complex digits without a word.
     rough = _values(s, number, 45)
@@ -137,6 +137,11 @@ def _values(s: Any, number: Expr, dps: int) -> dict[Any, Any]:
 def strength_of(oscillator: Oscillator, digits: int) -> Expr:
     """The dimensionless strength of the one law: exact, or with that many digits where it is a product of roots."""
     (term,) = oscillator.dimensionless.terms
+    return strength_of_term(term, digits)
+
+
+def strength_of_term(term: Any, digits: int) -> Expr:
+    """The same of one term without units."""
     # A product of several roots (mass, stiffness and x0 to fractional powers) is no one exact number here.
     if isinstance(term.strength, ExactReal):
         return to_sympy(term.strength)

@@ -7,21 +7,22 @@ p and Omega through order N of the hierarchy.  A(tau) has no explicit form; the 
 losses have tau(A) closed (logarithms, arctangents, or 2F1: ``envelopes.hypergeometric``).
 
 >>> two = implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 2)
->>> two.time_of_amplitude
-Integral(6/(u*(3*epsilon_0 + 8*epsilon_1*u/pi)), (u, A, 1))
->>> implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 1).time_of_amplitude
+>>> two.time_of_amplitude, two.formulas.time_of_amplitude
+(Integral(1/(u*(2*u/(15*pi) + 1/20)), (u, A, 1)), Integral(6/(u*(3*epsilon_0 + 8*epsilon_1*u/pi)), (u, A, 1)))
+>>> implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 1).formulas.time_of_amplitude
 2*log(1 + 3*pi*epsilon_0/(8*A*epsilon_1))/epsilon_0 - 2*log(3*pi*epsilon_0/(8*epsilon_1) + 1)/epsilon_0
 >>> two.at(7, digits=8).x
 '0.50456439'
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy
 from sympy import Expr, Integer, Integral, Symbol, latex
 
 from asymptotics.bounds.reach import Theorem, uniform_theorem
+from asymptotics.curves.evaluated import strength_of_term
 from asymptotics.curves.motions import times_of
 from asymptotics.curves.proved_curve import ProvedCurve
 from asymptotics.curves.shown_solution import SolutionPoint, document, proved_lines
@@ -41,7 +42,7 @@ from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number
+from asymptotics.numbers.policy import Number, require_one
 from asymptotics.present.shown import Page
 
 u, a_0 = Symbol("u", positive=True), Symbol("a_0", positive=True)
@@ -57,16 +58,34 @@ class ImplicitSolution(ProvedCurve):
     notes: tuple[str, ...] = field(default=(), compare=False)
     start: tuple[Expr, Expr] | None = None
     si: bool = field(default=True, compare=False)
+    symbolic: bool = False
+
+    @cached_property
+    def formulas(self) -> "ImplicitSolution":
+        """The same with the letters of the strengths, and a_0 of a start in motion."""
+        return self if self.symbolic else replace(self, symbolic=True)
+
+    def _put(self, found: Expr) -> Expr:
+        """The expression with the strengths, and the amplitude at the start, in the place of their letters."""
+        if self.symbolic:
+            return found
+        values = dict(zip(self.scales.symbols, (strength_of_term(t, 40) for t in self._terms)))
+        # What a_0 is has the strengths in it.
+        return (found if self.start is None else found.subs(a_0, self.start[0])).subs(values)
+
+    @property
+    def _terms(self) -> tuple[Any, ...]:
+        return tuple(ordered(self.oscillator.dimensionless.terms, self.scales))
 
     @property
     def loss(self) -> Expr:
         """u p(u) = -dA/dtau at the amplitude u."""
-        return -self.scales.amplitude_rate.subs(a, u)
+        return self._put(-self.scales.amplitude_rate.subs(a, u))
 
     @property
     def detuning(self) -> Expr:
         """Omega(u) = dphi/dtau at the amplitude u."""
-        return self.scales.phase_rate.subs(a, u) - 1
+        return self._put(self.scales.phase_rate.subs(a, u) - 1)
 
     @property
     def time_of_amplitude(self) -> Expr:
@@ -79,14 +98,15 @@ class ImplicitSolution(ProvedCurve):
             kappas = zip(ordered(terms, self.scales), self.scales.symbols)
             found = time_of_amplitude({to_sympy(t.velocity): moment(to_sympy(t.velocity) + 1) * e for t, e in kappas})
             if found is not None:
-                return found
+                return self._put(found)
         # Common factors in front leave an integrand that can be read; they do not change its value.
-        return Integral(1 / sympy.factor_terms(self.loss), (u, amplitude_symbol, self.first))
+        return Integral(1 / sympy.factor_terms(self.loss), (u, amplitude_symbol, self._put(self.first)))
 
     @property
     def phase_of_amplitude(self) -> Expr:
         """phi(A), less phi(0) for a start in motion."""
-        return Integral(self.detuning / sympy.factor_terms(self.loss), (u, amplitude_symbol, self.first))
+        limits = u, amplitude_symbol, self._put(self.first)
+        return Integral(self.detuning / sympy.factor_terms(self.loss), limits)
 
     @property
     def first(self) -> Expr:
@@ -99,6 +119,7 @@ class ImplicitSolution(ProvedCurve):
 
     def at(self, time: Number, *, digits: int = 30) -> MotionPoint:
         """A, phi and x at one tau >= 0, in units of x_0, by the numeric inverse; not certified."""
+        require_one(time, "time", "sample(times)")
         return self._motion.at(time, digits)
 
     def at_time(self, oscillator: Oscillator, time: Number, digits: int) -> SolutionPoint:
@@ -112,6 +133,11 @@ class ImplicitSolution(ProvedCurve):
         found = self._motion.sample(times_of(times))
         return found.amplitude, found.phase, found.x
 
+    def double_errors(self, times: Any) -> tuple[Any, Any, Any]:
+        """How far the doubles of ``sample`` are from the truncated equations: estimates."""
+        found = self._motion.double_errors(times)
+        return found["amplitude"], found["phase"], found["x"]
+
     # The bound of the truncated equations holds here as it is: tau(A) and phi(A) solve them exactly, by quadrature.
     def _theorem(self) -> Theorem:
         return uniform_theorem(_dimensionless(self.oscillator), self.order)
@@ -119,22 +145,22 @@ class ImplicitSolution(ProvedCurve):
     @property
     def strengths(self) -> dict[str, str]:
         """The values of the symbols."""
-        terms = ordered(self.oscillator.dimensionless.terms, self.scales)
-        return {str(s): str(t.strength) for s, t in zip(self.scales.symbols, terms)}
+        return {str(s): str(t.strength) for s, t in zip(self.scales.symbols, self._terms)}
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready; ``amplitude``, ``phase`` and ``x`` are null: there is no explicit form."""
         head = {"order": self.order, "gauge": TURNING_POINT, "amplitude": None, "phase": None, "x": None}
-        forms = {"time_of_amplitude": str(self.time_of_amplitude), "phase_of_amplitude": str(self.phase_of_amplitude)}
+        made = self.formulas
+        forms = {"time_of_amplitude": str(made.time_of_amplitude), "phase_of_amplitude": str(made.phase_of_amplitude)}
         forms |= {} if self.start is None else dict(zip(("a_0", "phi_0"), map(str, self.start)))
-        return {**head, **forms, "strengths": self.strengths, **self.validity, "certified": False}
+        return {**head, **forms, "strengths": self.strengths, **made.validity, "certified": False}
 
     def latex(self, *, standalone: bool = False) -> str:
         """The formulas as LaTeX: a fragment, or a document that compiles with pdflatex."""
         require_flag(standalone, "standalone")
         rows = [
-            rf"\tau(A) = {latex(self.time_of_amplitude)}",
-            rf"\varphi(A) = {latex(self.phase_of_amplitude)}" + (r" + \varphi_{0}" if self.start else ""),
+            rf"\tau(A) = {latex(self.formulas.time_of_amplitude)}",
+            rf"\varphi(A) = {latex(self.formulas.phase_of_amplitude)}" + (r" + \varphi_{0}" if self.start else ""),
         ]
         if self.start is not None:
             rows += [f"a_{{0}} = {latex(self.start[0])}", rf"\varphi_{{0}} = {latex(self.start[1])}"]
@@ -146,14 +172,15 @@ class ImplicitSolution(ProvedCurve):
         return Page(title, tuple(rest))
 
     def _formula(self) -> str:
-        return rf"\tau(A) = {latex(self.time_of_amplitude)},\quad \varphi(A) = {latex(self.phase_of_amplitude)}"
+        made = self.formulas
+        return rf"\tau(A) = {latex(made.time_of_amplitude)},\quad \varphi(A) = {latex(made.phase_of_amplitude)}"
 
     def __str__(self) -> str:
         forces = " + ".join(f"{s} {shape}" for s, shape in zip(self.scales.symbols, self.scales.shapes))
         place = "x(0) = 1, x'(0) = 0" if self.start is None else "x(0)**2 + x'(0)**2 = 1"
         lines = [f"x'' + x + {forces} = 0, {place}: through order {self.order}, turning-point gauge"]
         phi_0 = "" if self.start is None else " + phi_0"
-        lines += [f"tau(A) = {self.time_of_amplitude}", f"phi(A) = {self.phase_of_amplitude}{phi_0}"]
+        lines += [f"tau(A) = {self.formulas.time_of_amplitude}", f"phi(A) = {self.formulas.phase_of_amplitude}{phi_0}"]
         lines += [] if self.start is None else [f"a_0 = {self.start[0]}", f"phi_0 = {self.start[1]}"]
         lines += [f"{name} = {value}" for name, value in self.strengths.items()]
         unit = "x(0), 0 < A <= 1" if self.start is None else "the radius of the start, 0 < A <= a_0"

@@ -36,8 +36,9 @@ from asymptotics.law_given import oscillator_of
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.decimals import certified_decimal
+from asymptotics.numbers.double_error import STEP, of_rounding
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number, exact_integer, exact_number
+from asymptotics.numbers.policy import Number, exact_integer, exact_number, require_one
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
@@ -46,6 +47,7 @@ from asymptotics.running.public import public
 # Refusals alone: each step of a Newton iteration integrates hypergeometric functions to all digits, and at omega_0 t =
 # 10^100 the number of turns itself has a hundred.
 MAX_DIGITS, MAX_TAU = 200, 1e100
+_STEPS = 1024  # roundings of a table, whose sums lose half a last place at each of 2048 panels
 Array = Any
 NOTE = "first order in the loss, exact in the spring"
 
@@ -92,6 +94,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
     @public
     def amplitude(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """The turning amplitude A(t) in m, correctly rounded; "0" from the extinction time on."""
+        require_one(t, "t", "amplitudes(t)")
 
         def metres(seconds: ExactReal) -> arb | ExactReal:
             # At t = 0 the amplitude is x0 itself, exact, and may be a tie or have few digits: a ball would not round.
@@ -104,6 +107,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
     @public
     def phase(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """phi(t) = psi - omega_0 t in rad."""
+        require_one(t, "t", "phases(t)")
         return self._decimal(lambda seconds: self._flow().phase(self._tau(seconds)), t, digits)
 
     @public
@@ -170,6 +174,18 @@ class SpringEnvelope(SlowNumbers, Drawn):
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """x, v, A, phi at many times in s: doubles."""
+        return self._sampled(t, halved=False)
+
+    def double_errors(self, t: Array) -> tuple[Array, Array]:
+        """How far the doubles of A and phi are from the slow flow, by half the knots of their table; estimates."""
+        found, coarse, earlier = self.sample(t), self._sampled(t, halved=True), self.sample(np.asarray(t) * (1 - STEP))
+        A, phi = (
+            np.abs(fine - half) / 3 + of_rounding(fine, before, _STEPS)
+            for fine, half, before in zip(*((s.amplitude, s.phase) for s in (found, coarse, earlier)))
+        )
+        return A, phi
+
+    def _sampled(self, t: ArrayLike, *, halved: bool) -> MotionSamples:
         times = real_array(t, "time")
         if np.any(times < 0) or np.any(np.isinf(times)):
             raise InputError("time", "a time is negative or infinite", "times >= 0 in seconds")
@@ -181,6 +197,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         _require_near(bool(np.all(tau <= MAX_TAU)))
         # initial=1: a table has to have some length even for no times at all.
         table = self._flow().table(float(np.max(tau, initial=1.0)))
+        table = table.halved() if halved else table
         gone = tau >= table.extinction
         s, phi = table.at(np.where(gone, 0.0, tau))
         xi = np.exp(-s)

@@ -38,7 +38,8 @@ def motion_table(moving: Motion | Reference, until: ExactReal, points: int) -> M
     """
     if isinstance(moving, Motion):
         return moving.sample(np.linspace(0.0, _float(until), points + 1))
-    times = [until * Fraction(i, points) for i in range(points + 1)]
+    # Each row is at the time that it prints: at another one, half a last place away, x would be another.
+    times = [ExactReal(Fraction(repr(_float(until * Fraction(i, points))))) for i in range(points + 1)]
 
     def samples(found: Sequence[tuple[float, float]]) -> MotionSamples:
         t = np.array([_float(t) for t in times[: len(found)]])

@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.costs import require_affordable
+from asymptotics.curves.proved_states import ProvedStates
 from asymptotics.errors import InputError, LimitError
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import LawLike, Oscillator
@@ -35,7 +36,7 @@ from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes
+from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes, require_one
 from asymptotics.present.drawn import Drawn, below
 from asymptotics.present.shown import Page, Rows
 from asymptotics.running.budget import seconds_left
@@ -109,6 +110,7 @@ class Motion(Drawn):
     @public
     def at(self, t: Number, *, digits: int | None = None, max_seconds: Number = 60) -> MotionPoint:
         """One time in s; without ``digits`` every value is rounded to the error estimate of x."""
+        require_one(t, "t", "sample(t)")
         time, notes = exact_number(t, "t"), (*self.notes, *float_notes(t=t))
         if digits is not None:
             return self._motion.at(time, exact_integer(digits, "digits", 1, 300)).noted(notes)
@@ -140,6 +142,10 @@ class Motion(Drawn):
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
         return replace(self._motion.sample(times_of(t)), si=self.si)
+
+    def double_errors(self, t: Array) -> dict[str, Array]:
+        """How far the doubles of ``sample`` are from the expansion, by the names of its columns; estimates."""
+        return self._motion.double_errors(t)
 
     @public
     def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
@@ -189,7 +195,7 @@ class Motion(Drawn):
 
 
 @dataclass(frozen=True, repr=False)
-class Reference(Drawn):
+class Reference(ProvedStates, Drawn):
     """The motion without expansion: exact solutions where there are any, else certified or high-precision steps."""
 
     oscillator: Oscillator
@@ -205,6 +211,7 @@ class Reference(Drawn):
     @public
     def at(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> MotionPoint:
         """One time in s to ``digits`` significant digits; ``certified`` and ``method`` say what they are worth."""
+        require_one(t, "t", "sample(t)")
         point = reference_motion(
             self.oscillator,
             exact_number(t, "t"),
@@ -238,12 +245,13 @@ class Reference(Drawn):
     def events(self, until: Number, *, max_seconds: Number = 60) -> Events:
         """Turning points, zeros and the stop in 0 < t <= until (s)."""
         stop = None
-        if self._is_dry:
+        if self.is_dry:
             stop = float(coulomb_stop(self.oscillator, DIGITS, static=self.static).t)
         return events_of(self, until, stop)
 
     @property
-    def _is_dry(self) -> bool:
+    def is_dry(self) -> bool:
+        """Whether dry friction acts alone, which has closed forms with sticking."""
         return alone(self.oscillator, 0) is not None
 
     def _heading(self) -> str:
@@ -264,7 +272,7 @@ class Reference(Drawn):
     def _values(self, times: Array) -> tuple[Array, Array]:
         # The times of an array are binary fractions; their shortest decimals would be other times.
         exact = [ExactReal(Fraction(float(t))) for t in times]  # the doubles, exactly
-        if self._is_dry:
+        if self.is_dry:
             # A closed form on each half-swing, sticking included, so that each time stands by itself.
             points = [coulomb_motion(self.oscillator, t, DIGITS, static=self.static) for t in exact]
             return np.array([float(p.x) for p in points]), np.array([float(p.v) for p in points])

@@ -41,7 +41,7 @@ from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number, exact_integer
+from asymptotics.numbers.policy import Number, exact_integer, require_one
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
 from asymptotics.running.public import public
@@ -70,11 +70,13 @@ class Envelope(SlowNumbers, Drawn):
     @public
     def amplitude(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """A(t) in m, correctly rounded; "0" from the extinction time of the averaged law on."""
+        require_one(t, "t", "amplitudes(t)")
         return self._law.amplitude(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
     def phase(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """phi(t) in rad, turning-point gauge."""
+        require_one(t, "t", "phases(t)")
         return self._law.phase(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
@@ -117,6 +119,7 @@ class Envelope(SlowNumbers, Drawn):
         >>> envelope({2: "1/10"}).at_order(7, 3, digits=9)
         ('0.770941859', '-0.00899449816')
         """
+        require_one(t, "t", "columns(t, order=N)")
         series = self.series(order, digits=digits)
         return amplitude_and_phase(series, self.oscillator, time_of(t), exact_integer(digits, "digits", 1, MAX_DIGITS))
 
@@ -215,11 +218,28 @@ class Envelope(SlowNumbers, Drawn):
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
         # The difference below puts phi = 0 at the start, where the motion of order 2 has its own phi(0).
-        start, rate = self._at_rest()
-        motion = AsymptoticMotion.of(start, 2)  # order 2 is p_1 and Omega_2: this phase
+        motion, rate = self._turning
         phi = motion.sample(np.asarray(times_of(t)) * rate).phase - motion.sample([0.0]).phase[0]
         # From the extinction on there is no amplitude, and a phase of nothing is NaN, not the last value.
         return np.where(self.amplitudes(t) > 0, phi, np.nan)
+
+    def phase_errors(self, t: ArrayLike) -> Any:
+        """How far the doubles of ``phases`` are from the averaged law, rad: estimates; NaN where there is no phase."""
+        if self.averaging != MEAN:
+            return np.full_like(times_of(t), np.nan)
+        motion, rate = self._turning
+        return motion.double_errors(np.asarray(times_of(t)) * rate)["phase"]
+
+    def roundings(self, A: Any) -> float:
+        """How often the doubles of ``amplitudes`` are rounded, down to the least of an array of them."""
+        start = np.max(A, initial=0.0)
+        return self._law.numeric().roundings(float(np.min(A[A > 0], initial=start)) / start if start else 1.0)
+
+    @cached_property
+    def _turning(self) -> tuple[AsymptoticMotion, float]:
+        """The motion of order 2, which is p_1 and Omega_2: this phase, and the rate of its time."""
+        start, rate = self._at_rest()
+        return AsymptoticMotion.of(start, 2), rate
 
     def _at_rest(self) -> tuple[Oscillator, float]:
         """The averaged law from rest at A(0), and the rate of its time; strengths in doubles for a start in motion,

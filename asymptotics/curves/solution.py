@@ -75,7 +75,7 @@ from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number, exact_double, exact_integer, exact_number
+from asymptotics.numbers.policy import Number, exact_double, exact_integer, exact_number, require_one
 from asymptotics.present.shown import Page
 from asymptotics.running.public import public
 from asymptotics.series import Key, Series
@@ -116,6 +116,21 @@ class Solution(ProvedCurve):
     notes: tuple[str, ...] = field(default=(), compare=False)
     start: tuple[Expr, Expr] | None = None
     si: bool = field(default=True, compare=False)
+    symbolic: bool = False
+
+    @cached_property
+    def formulas(self) -> "Solution":
+        """The same with letters where a strength was given: epsilon, and those of a start in motion."""
+        return self if self.symbolic else replace(self, symbolic=True)
+
+    def _put(self, found: Expr) -> Expr:
+        """The expression with the strength put in, unless it shall stay a letter or none was given."""
+        if self.symbolic or self.oscillator is None:
+            return found
+        # Letters of the start first, the last of which is a formula in another; then the strength in all of it.
+        for letter, value in reversed(self.letters.items()):
+            found = found.subs(letter, value)
+        return found.subs(epsilon, self.strength)
 
     @cached_property
     def leading(self) -> tuple[Expr, Expr]:
@@ -126,17 +141,20 @@ class Solution(ProvedCurve):
 
     @cached_property
     def amplitude(self) -> Expr:
-        """A in tau and epsilon, 1 at a start at rest; in ``letters`` for one in motion."""
+        """A in tau, and in epsilon where no strength was given or it is ``symbolic``; 1 at a start at rest.
+
+        A start in motion has ``letters`` where it is symbolic.
+        """
         # D, not tau, is the variable of the series: A_0 and D hold all of the dependence on time.
         A_0, slow = self.leading
         found = A_0 * self.relative.subs(D, slow)
-        return found if self.start is None else a_0 * self.begun(found)
+        return self._put(found if self.start is None else a_0 * self.begun(found))
 
     @cached_property
     def phase(self) -> Expr:
-        """phi in tau and epsilon, 0 at a start at rest; in ``letters`` for one in motion."""
+        """phi in the same letters, 0 at a start at rest."""
         found = self.slow_phase.subs(D, self.leading[1])
-        return found if self.start is None else phi_0 + self.begun(found)
+        return self._put(found if self.start is None else phi_0 + self.begun(found))
 
     @property
     def letters(self) -> dict[Expr, Expr]:
@@ -155,17 +173,27 @@ class Solution(ProvedCurve):
         return epsilon * Pow(A, self.alpha - 1)
 
     @property
+    def has_formulas(self) -> bool:
+        """Whether ``sample`` has x by formulas, and not by a table of open waveforms."""
+        return isinstance(self.scales.kernel, TurningHierarchy) or self.order == 1
+
+    @property
     def is_closed(self) -> bool:
         """Whether every waveform that x needs has a closed form."""
         return all(w is not None for w in self.waves)
 
     @cached_property
     def x(self) -> Expr:
-        """x in tau and epsilon, valid for all tau; an open integral stands as x_n(psi), see ``definitions``."""
+        """x in the letters of ``amplitude``, for all tau; an open integral stands as x_n(psi), see ``definitions``.
+
+        >>> solution({2: "1/10"}, order=1).x, solution({2: "1/10"}, order=1, symbolic=True).x
+        (cos(tau)/(2*tau/(15*pi) + 1), cos(tau)/(4*epsilon*tau/(3*pi) + 1))
+        """
         # X(psi + pi) = -X(psi): the waveforms are known on one half-swing, and (-1)^swings continues them.
         turned = tau + self.phase
         swings = floor(turned / pi)
-        shape = self.shape(chi).subs({delta: self.local_strength}).subs({A: self.amplitude, chi: turned - pi * swings})
+        local = self._put(self.local_strength)
+        shape = self.shape(chi).subs({delta: local}).subs({A: self.amplitude, chi: turned - pi * swings})
         return (-1) ** swings * self.amplitude * shape
 
     def shape(self, phase: Expr) -> Expr:
@@ -177,25 +205,30 @@ class Solution(ProvedCurve):
 
     @property
     def valid_until(self) -> Expr:
-        """tau until which delta < 1 can be hoped for: infinity for alpha >= 1, else where A_0 makes delta = 1."""
+        """tau until which delta < 1 can be hoped for: infinity for alpha >= 1, else where A_0 makes delta = 1; in the
+        letters of ``amplitude``."""
         if self.alpha.is_number and bool(self.alpha >= 1):
             return sympy.oo
         # Below 1 delta = epsilon D grows as A falls: epsilon D = 1 solved for tau.  It is no bound, the letter of the
         # series becomes 1 there.
-        end = self.begun((1 - epsilon) / ((1 - self.alpha) * self.p_1 * epsilon))
+        end = self._put(self.begun((1 - epsilon) / ((1 - self.alpha) * self.p_1 * epsilon)))
         return end if self.alpha.is_number else Piecewise((end, self.alpha < 1), (sympy.oo, True))
 
     def in_units(self, units: str = "epsilon") -> tuple[Expr, Expr]:
-        """(A, phi) in tau and epsilon, in tau and Lancaster's kappa = M_(alpha+1) epsilon, or in t, m, k, b, x_0."""
+        """(A, phi) in tau and epsilon, in tau and Lancaster's kappa = M_(alpha+1) epsilon, or in t, m, k, b, x_0.
+
+        Letters all of them, also where a strength was given.
+        """
         require_choice(units, "units", UNITS)
+        amplitude, phase = self.formulas.amplitude, self.formulas.phase
         if units == "epsilon":
-            return self.amplitude, self.phase
+            return amplitude, phase
         if units == "kappa":
             change: dict[Expr, Expr] = {epsilon: kappa / self.p_1}
-            return self.amplitude.subs(change), self.phase.subs(change)
+            return amplitude.subs(change), phase.subs(change)
         # Both at once, so that what stands for one letter is not searched for the other.
         change = {epsilon: self.strength_in_SI, tau: sympy.sqrt(k / m) * t}
-        amplitude, phase = (e.subs(change, simultaneous=True) for e in (self.amplitude, self.phase))
+        amplitude, phase = (e.subs(change, simultaneous=True) for e in (amplitude, phase))
         return x_0 * amplitude, phase
 
     @property
@@ -223,6 +256,7 @@ class Solution(ProvedCurve):
 
         InputError without a strength.
         """
+        require_one(time, "time", "sample(times)")
         number, D = to_sympy(time_of(time)), exact_integer(digits, "digits", 1, MAX_DIGITS)
         return _rounded(*numbers(self, number, D), D)
 
@@ -288,7 +322,7 @@ class Solution(ProvedCurve):
     def latex(self, *, standalone: bool = False) -> str:
         """The formulas as LaTeX: a fragment, or a document that compiles with pdflatex."""
         require_flag(standalone, "standalone")
-        body = "\n".join(rf"\[ {line} \]" for line in latex_lines(self))
+        body = "\n".join(rf"\[ {line} \]" for line in latex_lines(self.formulas))
         return document(body) if standalone else body
 
     def shown_waves(self) -> list[Expr]:
@@ -300,47 +334,57 @@ class Solution(ProvedCurve):
         return [] if self.is_closed else definitions_of(self)
 
     def _page(self) -> Page:
-        title, *rest = text_of(self).splitlines()
+        title, *rest = str(self).splitlines()
         return Page(title, (*rest, *self.notes))
 
     def _formula(self) -> str:
-        return r"\displaystyle \begin{gathered}" + r" \\ ".join(latex_lines(self)) + r"\end{gathered}"
+        return r"\displaystyle \begin{gathered}" + r" \\ ".join(latex_lines(self.formulas)) + r"\end{gathered}"
 
     def to_dict(self) -> dict[str, Any]:
-        """JSON-ready: SymPy text in tau and epsilon."""
+        """JSON-ready: SymPy text in tau and letters; ``where`` says what they are."""
+        letters = self.formulas
         head = {"alpha": str(self.alpha), "order": self.order, "gauge": TURNING_POINT}
-        rest: dict[str, Any] = {"amplitude": str(self.amplitude), "phase": str(self.phase), "x": text_of_x(self)}
-        rest |= {"x_by_name": x_by_name(self)}
+        rest: dict[str, Any] = {
+            "amplitude": str(letters.amplitude),
+            "phase": str(letters.phase),
+            "x": text_of_x(letters),
+        }
+        rest |= {"x_by_name": x_by_name(letters)}
         begin = [f"{letter} = {value}" for letter, value in self.letters.items()]
+        begin += [] if self.oscillator is None else [f"epsilon = {self.strength}"]
         rest["where"] = [*begin, *(f"{e.lhs} = {e.rhs}" for e in self.definitions())]
-        return {**head, **rest, **self.validity, "certified": False}
+        return {**head, **rest, **letters.validity, "certified": False}
 
     def __str__(self) -> str:
-        return text_of(self)
+        return text_of(self.formulas)
 
     def __repr__(self) -> str:
         return f"Solution(alpha = {self.alpha}, order {self.order})"
 
 
 @public
-def solution(law: LawLike, *, order: int = 3, max_seconds: Number = 60) -> Solution | ImplicitSolution:
+def solution(
+    law: LawLike, *, order: int = 3, symbolic: bool = False, max_seconds: Number = 60
+) -> Solution | ImplicitSolution:
     """The multiple-scale solution through ``order``: explicit for one law, implicit for sums and springs.
 
     ``law``: {alpha: epsilon}, a law or an oscillator (SI); an exponent alone, or "symbolic", leaves the strength a
-    symbol.  InputError for an order out of range, anti-damping, and a sum without losses.
+    symbol, as ``symbolic=True`` does where one is given.  InputError for an order out of range, anti-damping, and a sum
+    without losses.
 
     >>> moving = solution(Oscillator({2: "1/10"}, x0="3/5", v0="-4/5"), order=3)
     >>> moving.at(0, digits=6).x, moving.at(7, digits=6).x
     ('0.599973', '-0.0420555')
     """
     N = exact_integer(order, "order", 1, MAX_ORDER)
+    require_flag(symbolic, "symbolic")
     if isinstance(law, Law | Oscillator | Mapping):
         oscillator = oscillator_of(law)
         oscillator.law.require_dissipative("solution that decays")
         # Only one power of the velocity makes A explicit: delta is then the one variable, and tau(delta) can be
         # reversed.
         if len(oscillator.law.terms) > 1 or not oscillator.law.is_pure:
-            return replace(implicit_solution(oscillator, N), si=isinstance(law, Oscillator))
+            return replace(implicit_solution(oscillator, N), si=isinstance(law, Oscillator), symbolic=symbolic)
     exponent, given = _exponent(law)
     scales = multiple_scales("symbolic" if exponent is None else exponent, order=N, gauge=TURNING_POINT)
     alpha = symbolic_alpha if exponent is None else to_sympy(exponent)
@@ -350,7 +394,7 @@ def solution(law: LawLike, *, order: int = 3, max_seconds: Number = 60) -> Solut
     waves = tuple(_closed_wave(scales, n) for n in range(1, N))
     start = None if given is None or given.v0.is_zero else start_in_motion(given, scales)
     si = isinstance(law, Oscillator)
-    return Solution(alpha, N, p_1, relative, phase, waves, scales, given, scales.notes, start, si)
+    return Solution(alpha, N, p_1, relative, phase, waves, scales, given, scales.notes, start, si, symbolic)
 
 
 def _exponent(law: Any) -> tuple[ExactReal | None, Oscillator | None]:

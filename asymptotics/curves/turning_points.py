@@ -7,11 +7,13 @@
 """
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from flint import arb
 
+from asymptotics.certificates.certificate import Certificate
+from asymptotics.certificates.of_results import of_turning_points
 from asymptotics.errors import InputError
 from asymptotics.frames import BARE, frame_of
 from asymptotics.law import Law, Oscillator
@@ -21,8 +23,10 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, bits_for, decimal_of, decimal_of_ball
 from asymptotics.numbers.digits import ball_of
 from asymptotics.numbers.exact import ExactReal, square_root
+from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.running.cut_short import changed
+from asymptotics.running.public import public
 from asymptotics.turning import choose
 from asymptotics.turning.result import TurningPoint, TurningPoints
 from asymptotics.turning.table import MAX_DIGITS
@@ -32,6 +36,27 @@ _SPARE, _DOUBLINGS = 23, 3  # bits: six digits more than are shown, and eight ti
 all but one case in a million, a doubling the rest; a tie that no precision decides ends after the third."""
 _MOST = (MAX_DIGITS + 10) << _DOUBLINGS
 """Digits of the route: ``MAX_DIGITS`` limits what is asked, not what is computed with."""
+
+
+@dataclass(frozen=True, repr=False)
+class MotionTurningPoints(TurningPoints):
+    """Turning points, and the motion that they are of: ``moving``, with m = k = 1 where they have no units."""
+
+    moving: Oscillator = field(kw_only=True)
+
+    @classmethod
+    def of(cls, moving: Oscillator, found: TurningPoints) -> "MotionTurningPoints":
+        """The same points, of this oscillator."""
+        return cls(**{f.name: getattr(found, f.name) for f in fields(found) if f.init}, moving=moving)
+
+    @public
+    def certificate(self, *, max_seconds: Number = 60) -> Certificate:
+        """A file from which ``check_certificate.py``, a page of standard Python, proves every digit.
+
+        In m and s where the points are.  InputError for what has none: springs, losses that know the place, irrational
+        numbers, estimates.
+        """
+        return of_turning_points(self.moving, self)
 
 
 def turning_points_in_units(

@@ -42,7 +42,7 @@ from asymptotics.motions.waveform import WaveformTable
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import cached_property, ctx, lru_cache
 from asymptotics.numbers.decimals import bits_for, certified_decimal
-from asymptotics.numbers.policy import Number, exact_integer, exact_number
+from asymptotics.numbers.policy import Number, exact_integer, exact_number, require_one
 from asymptotics.present.shown import Page, Shown
 from asymptotics.running.public import public
 from asymptotics.series import Key
@@ -67,6 +67,7 @@ class Waveforms(Shown):
     @public
     def at(self, psi: Number, *, digits: int = 30, max_seconds: Number = 60) -> dict[Label, str]:
         """x_k at one phase (rad), correctly rounded and proved to be; "0" where it is 0."""
+        require_one(psi, "psi", "sample(psi)")
         phase, D = exact_number(psi, "psi"), exact_integer(digits, "digits", 1, MAX_DIGITS)
         return {
             _label(k): certified_decimal(lambda k=k: self.enclosed(phase.ball())[k], D)  # type: ignore[misc]

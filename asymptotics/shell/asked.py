@@ -2,12 +2,12 @@
 
 import argparse
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, NoReturn
 
 import asymptotics
-from asymptotics.ask.answers import Request
+from asymptotics.ask.answers import Part, Request
 from asymptotics.ask.question import Question
 from asymptotics.ask.registry import loaded
 from asymptotics.errors import InputError
@@ -87,8 +87,9 @@ class Command:
     def _prepared(self, options: argparse.Namespace) -> tuple[Request, Callable[[Any], Answer]]:
         """What was asked, with all that can be refused before the work, and how the result is shown."""
         offers = self.question.offers
-        own = options if offers.show is None else argparse.Namespace(plot=getattr(options, "plot", None))
-        files = read_files(own)
+        # What has an own way to write reads its other files itself.
+        own = {name: getattr(options, name, None) for name in ("plot", "certificate")}
+        files = read_files(options if offers.show is None else argparse.Namespace(**own))
         if offers.reads:  # a file of data must not be overwritten by a picture of it, whichever of several it is
             for name in read_words(getattr(options, offers.reads)):
                 require_different({"FILE": Path(name), **files})
@@ -99,10 +100,12 @@ class Command:
         show = offers.show(request)
 
         def shown(found: Any) -> Answer:
+            proof = _Proof.of(offers.certificate, request, files, found)
             data, text = show(found)
             drawing: Makers = {"--plot": picture_maker(options, lambda: [found])} if offers.picture else {}
-            pictures = write_files(files, drawing)
-            return Answer(data, "\n".join([text, *pictures]), options.json, bool(offers.failed(found, request)))
+            more = write_files(files | proof.checker, drawing | proof.makers)
+            text = "\n".join([text, *more, *proof.told])
+            return Answer(data | proof.data, text, options.json, bool(offers.failed(found, request)))
 
         return request, shown
 
@@ -115,14 +118,12 @@ class Command:
         if offers.picture:
             style = offers.style(found, request) if options.plot else {}
             makers["--plot"] = picture_maker(options, lambda: offers.drawn(found, request), **style)
-        if offers.certificate is not None and "--certificate" in files:
-            made = offers.certificate(found, request)
-            makers["--certificate"] = lambda _: f"{made.to_json()}\n"
-            files = files | {"checker": files["--certificate"].with_name(CHECKER.name)}
-            makers["checker"] = lambda _: CHECKER.read_text(encoding="utf-8")
+        proof = _Proof.of(offers.certificate, request, files, found)
+        files, makers = files | proof.checker, makers | proof.makers
         with changed(lambda rows: self._with_rows(request, files, found, rows)):
             written = write_files(files, makers, options if offers.again is not None else None, self.question)
-        return self._answer(request, found, written)
+        answer = self._answer(request, found, written)
+        return replace(answer, data=answer.data | proof.data, text="\n".join([answer.text, *proof.told]))
 
     def _with_rows(self, request: Request, files: dict[str, Path], found: Any, rows: Any) -> Answer | None:
         """The answer with the rows of its table that were done when the time was over; half a picture is none."""
@@ -145,6 +146,31 @@ class Command:
         shown = [text] if wanted and not offers.always_files else [text, *written]
         shown += [more] if (more := offers.besides(found, request)) else []
         return Answer(data, "\n".join(shown), options.json, bool(offers.failed(found, request)))
+
+
+@dataclass(frozen=True)
+class _Proof:
+    """What --certificate adds: its file and that of the checker, what was proved (JSON), what is left (text)."""
+
+    checker: dict[str, Path] = field(default_factory=dict)
+    makers: Makers = field(default_factory=dict)
+    data: dict[str, Any] = field(default_factory=dict)
+    told: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, make: Part | None, request: Request, files: dict[str, Path], found: Any) -> "_Proof":
+        """Made before anything is written; nothing where none is asked for."""
+        path = files.get("--certificate")
+        if make is None or path is None:
+            return cls()
+        made = make(found, request)
+        makers: Makers = {
+            "--certificate": lambda _: f"{made.to_json()}\n",
+            "checker": lambda _: CHECKER.read_text(encoding="utf-8"),
+        }
+        data = {"certificate": {"proved": list(made.proved), "left": list(made.left)}}
+        told = tuple(f"not in the certificate: {line}" for line in made.left)
+        return cls({"checker": path.with_name(CHECKER.name)}, makers, data, told)
 
 
 def read_words(given: str | list[str]) -> list[str]:

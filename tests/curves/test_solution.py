@@ -11,7 +11,7 @@ import sympy
 from scipy.integrate import solve_ivp
 
 import asymptotics as asy
-from asymptotics.curves.solution import D, epsilon, kappa, tau
+from asymptotics.curves.solution import D, epsilon, epsilon_0, kappa, tau
 from asymptotics.errors import InputError
 
 _SLOW_ROWS = [("3", 3), ("4", 3), ("3/2", 3), ("1/2", 2), ("sqrt(2)", 4), ("5/2", 3), ("7/3", 2)]
@@ -103,3 +103,44 @@ def test_units():
 def test_bad_input_is_refused_by_name(law, order, argument):
     with pytest.raises(InputError, match=f"argument {argument}"):
         asy.solution(law, order=order)
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        {2: "1/10"},
+        {"3/2": "1/7"},
+        {1: "1/5"},
+        asy.Oscillator({2: "1/10"}, x0="3/5", v0="-4/5"),
+        asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5"),  # a strength of roots
+    ],
+)
+def test_sympy_has_the_strength_that_was_given(law):
+    found, letters = asy.solution(law, order=3), asy.solution(law, order=3, symbolic=True)
+    point = found.at(7, digits=12)
+    for expression, kept, number in (
+        (found.amplitude, letters.amplitude, point.amplitude),
+        (found.phase, letters.phase, point.phase),
+        (found.x, letters.x, point.x),
+    ):
+        assert expression.free_symbols <= {tau} and (
+            {epsilon, epsilon_0} & kept.free_symbols or kept == 0
+        )  # failed before
+        # numbers() puts the letters in by itself, in mpmath.
+        assert float(expression.subs(tau, 7).evalf(20)) == pytest.approx(float(number), abs=1e-11)
+
+
+def test_the_end_of_validity_has_the_strength_too():
+    end = asy.solution({"1/2": "1/10"}, order=2)
+    assert end.valid_until.is_number and epsilon in end.formulas.valid_until.free_symbols
+    assert "epsilon = 1/10" in end.to_dict()["where"] and "epsilon = 1/10" in str(end).splitlines()
+
+
+def test_a_sum_has_its_strengths_in_its_quadratures():
+    found = asy.solution(asy.Oscillator({1: "1/10", 2: "1/20"}, x0="3/5", v0="-4/5"), order=2)
+    amplitude = {sympy.Symbol("A", positive=True)}
+    kept = asy.solution({1: "1/10", 2: "1/20"}, order=1, symbolic=True).time_of_amplitude
+    assert found.time_of_amplitude.free_symbols <= amplitude and found.phase_of_amplitude.free_symbols <= amplitude
+    assert len(kept.free_symbols) == 3
+    with pytest.raises(asy.InputError, match="symbolic"):
+        asy.solution({2: "1/10"}, symbolic="yes")

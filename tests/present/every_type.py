@@ -104,7 +104,9 @@ SAMPLES = {
     "terms.Term": "osc.law.terms[0]",
     "turning.result.TurningPoint": "asy.turning_points({2: 1}, 3, digits=12, times=True).points[1]",
     "frames.Frame": "points.frame",
-    "turning.result.TurningPoints": "asy.turning_points({2: 1}, 3, digits=12, times=True)",
+    "turning.result.TurningPoints": "points.dimensionless",
+    "certificates.certificate.Certificate": "points.certificate()",
+    "curves.turning_points.MotionTurningPoints": "asy.turning_points({2: 1}, 3, digits=12, times=True)",
 }
 
 

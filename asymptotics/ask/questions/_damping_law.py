@@ -66,7 +66,7 @@ def _csv(found: DampingLaw, request: Request) -> str:
 _COLUMNS, _DIGITS = ("A", "zeta", "Q", "decrement", "resolution"), 17
 
 
-def _again(request: dict[str, str], header: list[str], rows: list[tuple[int, list[str]]], _: int) -> Comparison:
+def _again(request: dict[str, str], header: list[str], rows: list[tuple[int, list[str]]], *_: Any) -> Comparison:
     """The table in the header fitted again: one in doubles, so that nothing is certified.
 
     What is judged is whether the file says what its request gives.

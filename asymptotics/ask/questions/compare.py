@@ -52,6 +52,7 @@ def _named(found: Comparison, request: Request) -> dict[str, Any]:
         table="all rows",
         reads="file",
         again=None,
+        certificate=lambda found, _: found.certificate(),
         data=_named,
         text=lambda found, request: told(found, _held_against(request).told),
         missing=lambda found, _: (len({row.line for row in found.rows}), found.summary["missing"]),

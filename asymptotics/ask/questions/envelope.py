@@ -1,5 +1,6 @@
 """The first-order envelope and phase: formula, certified numbers, curve."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, cast
 
@@ -23,6 +24,7 @@ from asymptotics.decays.comparison.run import Comparison
 from asymptotics.envelopes.symbolic import MEAN, SQUARING
 from asymptotics.errors import InputError
 from asymptotics.law import LawLike, Oscillator
+from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
 
@@ -125,7 +127,13 @@ def _typed(request: Request) -> None:
         raise InputError("--latex", "no elementary form is known for this law", "the command without --latex")
 
 
-def _again(request: dict[str, str], header: list[str], rows: list[tuple[int, list[str]]], digits: int) -> Comparison:
+def _again(
+    request: dict[str, str],
+    header: list[str],
+    rows: list[tuple[int, list[str]]],
+    digits: int,
+    doubles: Mapping[str, DoubleError],
+) -> Comparison:
     """A and phi of the request at its own times; InputError for an order above the first, which is formal."""
     if "order" in request:
         raise InputError("FILE", "no route certifies an envelope of higher order: formal series", "the first order")
@@ -135,7 +143,7 @@ def _again(request: dict[str, str], header: list[str], rows: list[tuple[int, lis
     if time is None or not time > 0:
         raise InputError("--time", "there is no stretch of time", "a time > 0")
     times = table_times(time, read_points(options)).tolist()
-    return compared_envelope(curve_of(asked["law"], asked["squaring"]), times, header, rows, digits)
+    return compared_envelope(curve_of(asked["law"], asked["squaring"]), times, header, rows, digits, doubles)
 
 
 @question(
@@ -250,9 +258,9 @@ def _series(found: Curve, order: int, digits: int) -> EnvelopeSeries:
     if isinstance(found, SpringEnvelope):
         raise InputError("order", "it is not known beside a spring", "one law alone")
     if found.averaging == SQUARING:
-        raise InputError("order", "the squaring trick has no higher orders", "the command without --squaring")
+        raise InputError("order", "the squaring trick has no higher orders", "--squaring left out")
     if not found.oscillator.v0.is_zero:
-        raise InputError("order", "it starts at rest", "the command without --v0; other starts: motion --order N")
+        raise InputError("order", "it starts at rest", "a start at rest; other starts: the motion of that order")
     return found.series(order, digits=digits)
 
 

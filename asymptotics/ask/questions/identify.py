@@ -1,7 +1,7 @@
 """Which damping law is it: from a measured decay to exponents, strengths and intervals."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
@@ -18,7 +18,7 @@ from asymptotics.decays.identification.telling.result import Identification
 from asymptotics.decays.records.columns import KINDS
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import UNITS
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import Number, exact_double
 from asymptotics.present.inputs import csv_text
@@ -44,7 +44,23 @@ def _kept(options: argparse.Namespace) -> bool:
     return not options.no_bootstrap
 
 
-RUNS = Kind("FILE", lambda data, _: data, place=True, several=True, words=True, schema={"type": "string"})
+def _runs(data: Any, name: str, x: Any = None) -> Any:
+    """The data as they are; with an array ``x`` beside an array of times the two are one record."""
+    if x is None:
+        return data
+    columns = {}
+    for argument, given in ((name, data), ("x", x)):
+        if isinstance(given, str | Path | Mapping) or hasattr(given, "read"):
+            reason = f"{shown(given)} is no column beside another one"
+            raise InputError(argument, reason, "identify(t, x) of two arrays; identify([run, run]) of several runs")
+        columns[argument] = real_array(given, argument)
+        if columns[argument].ndim != 1:
+            raise InputError(argument, f"its shape is {columns[argument].shape}", "a column of numbers")
+    return tuple(columns.values())
+
+
+RUNS = Kind("FILE", _runs, place=True, several=True, words=True, schema={"type": "string"}, beside=("x",))
+BESIDE = Kind("", lambda value, _: value, words=True, in_shell=False)
 KIND = TEXT.called(letter="KIND", group=_DATA, told=f": {', '.join(KINDS)}; default: found from the columns")
 UNIT = TEXT.called(letter="U", group=_DATA, told=f": {', '.join(UNITS)}; with milliseconds: mm,ms")
 WORDS = Kind("LAW", lambda words, _: words, words=True, several=True)
@@ -64,7 +80,7 @@ def _page(found: Identification, request: Request) -> str:
     """The page, with the digests of the files and the options that are not at their defaults."""
     # The page is to be checked against its data years later: names change, digests do not.
     files = {name: f"SHA-256 {sha256(Path(name).read_bytes()).hexdigest()}" for name in request["data"]}
-    names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise columns decimal sheet modes"
+    names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise columns decimal sheet rate modes"
     given = {name: request.typed(name) for name in (*names.split(), "no_bootstrap")}
     chosen = "; ".join(f"{n}: {' '.join(v) if isinstance(v, list) else v}" for n, v in given.items() if v)
     date = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
@@ -92,6 +108,7 @@ def _page(found: Identification, request: Request) -> str:
 )  # fmt: skip
 def identify(
     data: Annotated[Any, RUNS],
+    x: Annotated[Any, BESIDE] = None,
     *,
     kind: Annotated[str | None, KIND] = None,
     unit: Annotated[str, UNIT] = "",
@@ -99,6 +116,7 @@ def identify(
     decimal: Annotated[str | None, TEXT.called(letter="MARK", group=_DATA)] = None,
     skip: Annotated[int, whole(0, MOST_SKIPPED).called(group=_DATA)] = 0,
     sheet: Annotated[str | None, TEXT.called(group=_DATA)] = None,
+    rate: Annotated[Number | None, POSITIVE.called(letter="HZ", group=_DATA)] = None,
     laws: Annotated[Sequence[str] | None, WORDS] = None,
     springs: Annotated[Sequence[str], WORDS.called(letter="P")] = (),
     amplitudes: Annotated[tuple[float, float] | None, Kind("LOW:HIGH", _range, group=_DATA)] = None,
@@ -129,6 +147,8 @@ def identify(
     ----------
     data
         a table of any layout, xlsx, parquet, npz, mat; several: several runs
+    x
+        the column beside an array of times: ``identify(t, x)``
     kind
         what the columns are
     unit
@@ -141,10 +161,12 @@ def identify(
         lines before the table that are not read
     sheet
         the sheet of a spreadsheet, where several hold numbers
+    rate
+        samples a second of a file without times (default: found above the numbers)
     laws
         candidate laws: 1 1+2 0+2 free 1+s3 1,2: ...
     springs
-        springs to add to each law: 3 3+5
+        springs to add to each law: 3 3+5 pendulum
     amplitudes
         use the turning points with |x| in this range only
     amplitudes_only
@@ -174,7 +196,7 @@ def identify(
     Notes
     -----
     ``data`` is a file (a text table of any layout, xlsx, parquet, npz, mat), an open one, a data frame, a mapping of
-    columns, two arrays ``(t, x)``, observations, or a list of several runs.  ``kind`` is record, velocity,
+    columns, two arrays ``t, x`` or ``(t, x)``, observations, or a list of several runs.  ``kind`` is record, velocity,
     acceleration, turning-points or decrement; ``unit`` m, cm, mm, rad, deg, and of time too: "mm,ms".
     epsilon_i refers to x0 = 1 unit of the data: x'' + x + sum epsilon_i x'|x'|^(alpha_i - 1) = 0 in the time omega_0 t;
     b or b/m is given as far as ``mass``, ``stiffness``, ``omega_0`` or the times tell it.
@@ -192,5 +214,5 @@ def identify(
     return identified(
         data, kind=kind, unit=unit, laws=laws, springs=springs, amplitudes=amplitudes, amplitudes_only=amplitudes_only,
         mass=mass, stiffness=stiffness, omega_0=omega_0, noise=noise, bootstrap=bootstrap,
-        how=How(columns, decimal, skip, sheet), modes=modes,
+        how=How(columns, decimal, skip, sheet, None if rate is None else float(rate)), modes=modes,
     )  # fmt: skip

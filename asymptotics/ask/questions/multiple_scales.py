@@ -251,7 +251,7 @@ def _waves(given: TermsInUnits, scales: MultipleScales, order: int, phase: Any, 
     if scales.gauge != TURNING_POINT:
         raise InputError("phase", f"the gauge is {scales.gauge}", f"the gauge {TURNING_POINT}")
     if isinstance(given.terms, str):
-        raise InputError("phase", "a symbolic exponent has no numbers", "--alpha A or --law A")
+        raise InputError("phase", "a symbolic exponent has no numbers", "exponents that are numbers")
     if order > MAX_OPEN_ORDER:
         raise InputError("order", f"{order} is out of range", f"an integer from 1 to {MAX_OPEN_ORDER}")
     # NumPy and splines: only values of waveforms need them.

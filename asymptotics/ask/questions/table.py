@@ -75,7 +75,7 @@ def _show(request: Request) -> Callable[[Table], tuple[dict[str, Any], str]]:
 
     def show(table: Table) -> tuple[dict[str, Any], str]:
         validation = table.validate() if request.typed("validate") is not None else None
-        told = "" if validation is None else f"\n{validation}"
+        told = "" if validation is None else f"\n{validation.beside()}\n{validation}"
         more = {} if validation is None else {"validation": validation.to_dict()}
         if target is None:
             return table.to_dict() | more, _printed(table, form) + told
@@ -137,6 +137,7 @@ def _missing(table: Table, _: Request) -> tuple[int, str]:
         failed=lambda table, request: request.typed("validate") is not None and not table.validate().equal,
         instead=_list,
         show=_show,
+        certificate=lambda table, _: table.certificate(),
         missing=_missing,
         lacks={"gauge": "a table says in its title which gauge it is in", "points": "`--rows` says how many"},
     )

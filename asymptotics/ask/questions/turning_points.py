@@ -8,8 +8,8 @@ from asymptotics.ask.kinds import FLAG, SECONDS, TEXT, digits, whole
 from asymptotics.ask.laws import MOVES
 from asymptotics.ask.moving import Given
 from asymptotics.ask.question import question
-from asymptotics.certificates.of_results import of_turning_points
 from asymptotics.curves.turning_points import (
+    MotionTurningPoints,
     dimensionless,
     turning_points_in_units,
     with_notes,
@@ -19,6 +19,7 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.numbers.policy import Number
 from asymptotics.present.inputs import csv_text
+from asymptotics.running.cut_short import changed
 from asymptotics.turning import table
 from asymptotics.turning.choose import offers
 from asymptotics.turning.result import TurningPoints
@@ -93,8 +94,7 @@ def _missing(found: TurningPoints, request: Request) -> tuple[int, str]:
 def _certificate(found: Any, request: Request) -> Any:
     if isinstance(found, Routes):
         raise InputError("--certificate", "a list of routes has no digits", "a certificate of turning points")
-    moving = cast("Given", request["law"])
-    return of_turning_points(moving.oscillator, found)
+    return found.certificate()
 
 
 @question(
@@ -124,7 +124,7 @@ def turning_points(
     times: Annotated[bool, FLAG] = False,
     route: Annotated[str | None, TEXT] = None,
     max_seconds: Annotated[Number, SECONDS] = 60,
-) -> TurningPoints:
+) -> MotionTurningPoints:
     """Turning points x_n (with their sign) and their times, for any alpha >= 0, and sums of laws.
 
       asymptotics turning-points --alpha 2 --epsilon 1 --count 6 --digits 60 --times
@@ -184,7 +184,7 @@ def turning_points(
     """
     moving = cast("Given", law)
     if route == "help":
-        return cast("TurningPoints", _routes(moving, count, digits, start, times))
+        return cast("MotionTurningPoints", _routes(moving, count, digits, start, times))
     try:
         return _points(moving, count, digits=digits, start=start, times=times, route=route)
     except LimitError as error:
@@ -193,16 +193,22 @@ def turning_points(
         raise
 
 
-def _points(moving: Given, count: int, **rest: Any) -> TurningPoints:
+def _points(moving: Given, count: int, **rest: Any) -> MotionTurningPoints:
     oscillator = moving.oscillator
-    if moving.si:
-        return turning_points_in_units(oscillator, count, **rest)
-    # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths epsilon_i x0^(alpha_i-1),
-    # and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
-    if oscillator.law.is_pure and oscillator.v0.is_zero and oscillator.x0 != 1:
-        return without_units(oscillator, count, **rest)
-    law, kick = _bare(oscillator)
-    return with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick)
+
+    def of_motion(found: TurningPoints) -> MotionTurningPoints:
+        return MotionTurningPoints.of(oscillator, found)
+
+    with changed(of_motion):
+        if moving.si:
+            return of_motion(turning_points_in_units(oscillator, count, **rest))
+        # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths
+        # epsilon_i x0^(alpha_i-1), and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
+        if oscillator.law.is_pure and oscillator.v0.is_zero and oscillator.x0 != 1:
+            return of_motion(without_units(oscillator, count, **rest))
+        law, kick = _bare(oscillator)
+        found = with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick)
+        return of_motion(found)
 
 
 def _bare(oscillator: Oscillator) -> tuple[Law, dict[str, Any]]:

@@ -9,14 +9,16 @@
 ["line 2, exact: '4/(5*pi)' is given, and '4/(3*pi)' is right"]
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from types import MappingProxyType
 
 from asymptotics.decays.comparison.digits import judged, significant
 from asymptotics.decays.comparison.quick_look import Look
-from asymptotics.decays.comparison.run import UNJUDGED, ComparedValue, Comparison, short_of, summary_of
+from asymptotics.decays.comparison.run import UNJUDGED, ComparedValue, Comparison, short_of, summary_of, told_doubles
 from asymptotics.errors import InputError, shown
+from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.exact import parse_printed
 
 Key = tuple[str, ...]
@@ -48,10 +50,11 @@ def compared_cells(
     digits: int,
     *,
     certified: bool = True,
+    doubles: Mapping[str, DoubleError] = MappingProxyType({}),
 ) -> Comparison:
     """Every row with its line, cell by cell; InputError for a row or a column that the request does not give.
 
-    ``certified``: whether the right cells are.
+    ``certified``: whether the right cells are; ``doubles``: the errors that columns of doubles may have.
     """
     columns = [name for name in header if name not in right.keys and name not in right.apart]
     lacking = next((name for name in (*right.keys, *columns) if name not in right.header or name not in header), None)
@@ -78,7 +81,8 @@ def compared_cells(
             cell, true = cells[header.index(name)].strip(), truth[key][right.header.index(name)].strip()
             number, value = _number(cell), _number(true)
             if number is not None and value is not None:
-                rows.append(_judged(line, key, name, (cell, number), (true, value), right.keys, digits))
+                may = doubles.get(name.split(" [")[0])
+                rows.append(_judged(line, key, name, (cell, number), (true, value), right.keys, digits, may))
             elif cell != true:
                 differs.append(f"line {line}, {name}: {cell[:_LONG]!r} is given, and {true[:_LONG]!r} is right")
     if not rows:
@@ -88,11 +92,16 @@ def compared_cells(
     summary |= {"not_compared": left} if (left := [n for n in header if n in right.apart - _MARKS]) else {}
     summary |= {"differs": differs} if differs else {}
     summary |= {"estimates": unjudged} if unjudged else {}
+    summary |= told_doubles(doubles, columns)
     return Comparison(tuple(rows), summary, certified, right.method)
 
 
 def cells_so_far(
-    given: Sequence[tuple[int, Sequence[str]]], header: Sequence[str], right: Cells, digits: int
+    given: Sequence[tuple[int, Sequence[str]]],
+    header: Sequence[str],
+    right: Cells,
+    digits: int,
+    doubles: Mapping[str, DoubleError] = MappingProxyType({}),
 ) -> Comparison | None:
     """The same for work that was cut short: the rows of which the right ones are there; None where none can be judged.
 
@@ -105,7 +114,7 @@ def cells_so_far(
     done = [(line, row) for line, row in given if len(row) == len(header) and _key(row, header, right.keys) in there]
     if not done or all(_key(row, header, right.keys) in right.estimates for _, row in done):
         return None
-    found = compared_cells(done, header, right, digits)
+    found = compared_cells(done, header, right, digits, doubles=doubles)
     summary = {name: value for name, value in found.summary.items() if name != "order"} | {"look": UNJUDGED.to_dict()}
     told = summary.get("estimates", ())
     return short_of(replace(found, summary=summary), [line for line, _ in given if line not in told])
@@ -118,11 +127,18 @@ def longest_of(given: Sequence[tuple[int, Sequence[str]]]) -> int:
 
 
 def _judged(
-    line: int, key: Key, name: str, given: tuple[str, Fraction], right: tuple[str, Fraction], keys: Key, digits: int
+    line: int,
+    key: Key,
+    name: str,
+    given: tuple[str, Fraction],
+    right: tuple[str, Fraction],
+    keys: Key,
+    digits: int,
+    may: DoubleError | None,
 ) -> ComparedValue:
     """One number.  Fractions and integers are right or wrong as a whole, however long they are."""
     text, number = given
-    found = judged(text, number, right[1], digits)
+    found = judged(text, number, right[1], digits, may)
     # An exact number has no digits that are nearly right.
     whole = "." not in text and "." not in right[0]
     marked = f"[{text}]" if whole and number != right[1] else found.marked

@@ -17,6 +17,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import floor, log10
 
+from asymptotics.numbers.double_error import DoubleError
+
 _NUMBER = re.compile(r"(?P<sign>[+-]?)(?P<digits>[\d.]+)(?P<rest>.*)\Z", re.DOTALL)
 _NEAR, _LOG_2 = 1e-9, log10(2)
 """Logarithms nearer than this to a whole number are decided in integers: a double has them to 1e-16 of their size,
@@ -35,20 +37,27 @@ class JudgedValue:
     marked: str
 
 
-def judged(text: str, given: Fraction, value: Fraction, known: int) -> JudgedValue:
+def judged(text: str, given: Fraction, value: Fraction, known: int, double: DoubleError | None = None) -> JudgedValue:
     """The right digits, the relative error (two digits; 1 beside a value 0) and the text with its wrong digits marked.
+
+    ``double``: of a double the error that it may have, within which no digit is wrong.
 
     >>> judged("0.41072111", Fraction("0.41072111"), Fraction("0.41071968606103944670"), 20)
     JudgedValue(digits='5.46', error='3.5e-06', marked='0.41072[111]')
+    >>> judged("0.30000000000000004", Fraction("0.30000000000000004"), Fraction("0.3"), 20).marked
+    '0.3000000000000000[4]'
+    >>> double = DoubleError(Fraction("2.3e-16"), relative=True)
+    >>> judged("0.30000000000000004", Fraction("0.30000000000000004"), Fraction("0.3"), 20, double).marked
+    '0.30000000000000004'
     """
     error = _difference(given, value)
     # An error of 0 has no logarithm: the value is right to all digits that are known.
     if error[0] == 0:
         return JudgedValue(f"{known:.2f}", "0", text.strip())
     log, size = _log10(error), _log10(_size(value)) if value else 0.0
-    return JudgedValue(
-        _digits(given, value, known, log, size), _error(value, log, size), _marked(text, given, error, log)
-    )
+    right = double is not None and double.allows(given, value)
+    marks = text.strip() if right else _marked(text, given, error, log)
+    return JudgedValue(_digits(given, value, known, log, size), _error(value, log, size), marks)
 
 
 def right_digits(given: Fraction, value: Fraction, known: int) -> str:

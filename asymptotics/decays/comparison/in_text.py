@@ -29,6 +29,7 @@ def told(found: Comparison, equation: str) -> str:
         f"the errors look like {look['kind']}: {look['reason']}",
         *([summary["ended"]] if "ended" in summary else []),
         *summary.get("differs", ()),
+        *([f"doubles, right within the errors of the header: {', '.join(d)}"] if (d := summary.get("doubles")) else []),
         *([f"estimates, not counted: lines {_listed(summary['estimates'])}"] if "estimates" in summary else []),
         *(f"not compared: {name} ({_why(name)})" for name in summary.get("not_compared", ())),
         f"certified: {str(found.certified).lower()} ({found.method})",

@@ -1,7 +1,7 @@
 """A file of somebody's values, compared: every value with its right digits, and what the errors look like together.
 
 >>> import tempfile
->>> from asymptotics.law import Oscillator
+>>> from asymptotics.law import Oscillator, of_unit_start
 >>> path = Path(tempfile.mkdtemp()) / "mine.csv"
 >>> _ = path.write_text("n,x\\n0,1\\n1,-0.4107197\\n2,0.2635711\\n")
 >>> found = compare_file(path, Oscillator({2: 1}))
@@ -14,8 +14,8 @@
 (3, '4.99', True)
 """
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
@@ -24,6 +24,8 @@ from typing import Any
 
 import numpy as np
 
+from asymptotics.certificates.certificate import Certificate
+from asymptotics.decays.comparison.certified import MotionBeside
 from asymptotics.decays.comparison.digits import judged, significant
 from asymptotics.decays.comparison.errors import Errors, of_motion, of_turning_points
 from asymptotics.decays.comparison.order import order_of, told_order
@@ -31,14 +33,18 @@ from asymptotics.decays.comparison.quick_look import Look, look_of
 from asymptotics.decays.comparison.reading import Columns, Sheet, as_double, read_sheet
 from asymptotics.decays.comparison.truth import Truth, at_envelope, at_times, at_turning_points
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.law import Oscillator
+from asymptotics.law import Oscillator, of_unit_start
 from asymptotics.numbers.digits import spread
+from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.policy import Number
+from asymptotics.present.double_errors import stated_errors
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.figures import counted
 from asymptotics.present.inputs import csv_text
 from asymptotics.present.shown import Page, Rows, Shown
 from asymptotics.running.cut_short import changed
+from asymptotics.running.public import public
 from asymptotics.turning.choose import turning_points
 
 MAX_DIGITS, MAX_N = 1000, 10**30
@@ -83,12 +89,32 @@ class ComparedValue(Shown):
 
 @dataclass(frozen=True, repr=False)
 class Comparison(Rows, Drawn):
-    """All values of a file beside the truth; ``certified`` is whether every value beside them is."""
+    """All values of a file beside the truth; ``certified`` is whether every value beside them is.
+
+    ``side``: what the certified values are of, where there is a certificate of it: a motion, a table, another result.
+    """
 
     rows: tuple[ComparedValue, ...]
     summary: dict[str, Any]
     certified: bool
     method: str
+    side: Any = field(default=None, compare=False)
+
+    @public
+    def certificate(self, *, max_seconds: Number = 60) -> Certificate:
+        """A file from which ``check_certificate.py`` proves the certified values: turning points, x and v at times.
+
+        InputError for a comparison with anything else, and with estimates.
+        """
+        if not self.certified:
+            raise InputError("certificate", "what stands beside is an estimate", "certified values")
+        if isinstance(self.side, MotionBeside):
+            return self.side.certificate(self.rows)
+        if not hasattr(self.side, "certificate"):
+            reason = "what stands beside is neither turning points nor a motion at times"
+            raise InputError("certificate", reason, "a comparison with turning points, x or v, or a table of them")
+        made: Certificate = self.side.certificate()
+        return made
 
     def _page(self) -> Page:
         summary, look = self.summary, self.summary["look"]
@@ -154,6 +180,7 @@ def compare_file(
     that cuts the work short carries the rows that are done.
     """
     sheet, left = read_sheet(path, columns, si=si), list[str]()
+    doubles = stated_errors(path) if isinstance(path, Path) else {}
     key = next((name for name in ("n", "tau", "t") if name in sheet.columns), None)
     # The first of n, tau, t is the key; a time beside n is a value.
     values = [name for name in sheet.columns if name != key]
@@ -168,13 +195,18 @@ def compare_file(
         if not values or (left and columns is not None):
             raise InputError("columns", "at a time there are x and v", "tau,x  or  tau,x,v  or  tau,amplitude,phase")
 
+    # Without units turning points are in those of the start, and a motion is that of the law alone.
+    unit = of_unit_start(oscillator.dimensionless) if key == "n" and not si else Oscillator(oscillator.law)
+    side = MotionBeside(oscillator if si else unit)
+
     def compared(sheet: Sheet, truth: Truth, look: Callable[[Sequence[ComparedValue]], Look]) -> Comparison:
-        rows = _rows(sheet, truth, key, values, wanted, si)
+        rows = _rows(sheet, truth, key, values, wanted, si, doubles)
         summary = summary_of(rows, look(rows))
         summary["order"] = order_of(list(sheet.numbers[key]), counted=key == "n")
         summary |= {"ended": truth.ended} if truth.ended else {}
         summary |= {"not_compared": left} if left else {}
-        return Comparison(rows, summary, truth.certified, truth.method)
+        summary |= told_doubles(doubles, values)
+        return Comparison(rows, summary, truth.certified, truth.method, side)
 
     def so_far(truth: Truth) -> Comparison:
         places = range(len(sheet.lines)) if truth.places is None else truth.places
@@ -232,27 +264,50 @@ def _written(sheet: Sheet, name: str) -> int:
 
 
 def _rows(
-    sheet: Sheet, truth: Truth, key: str, values: Sequence[str], digits: int, si: bool
+    sheet: Sheet,
+    truth: Truth,
+    key: str,
+    values: Sequence[str],
+    digits: int,
+    si: bool,
+    doubles: Mapping[str, DoubleError],
 ) -> tuple[ComparedValue, ...]:
-    keys = sheet.column(key)
+    # Counts as numpy.savetxt writes them, 0.000e+00, are told as 0.
+    keys = [str(int(Fraction(cell))) for cell in sheet.column(key)] if key == "n" else sheet.column(key)
     name = "t" if key == "t" and si else "n" if key == "n" else "tau"
     found = []
     for column in values:
         cells, right = sheet.column(column), truth.columns[column]
         numbers = sheet.numbers[column]
-        found += [row_of(*where, column, name, digits) for where in zip(sheet.lines, keys, cells, numbers, right)]
+        may, places = doubles.get(column), zip(sheet.lines, keys, cells, numbers, right)
+        found += [row_of(*where, column, name, digits, may) for where in places]
     return tuple(sorted(found, key=lambda row: row.line))
 
 
 def row_of(
-    line: int, key: str, given: str, value: Fraction, right: str | None, column: str, name: str, digits: int
+    line: int,
+    key: str,
+    given: str,
+    value: Fraction,
+    right: str | None,
+    column: str,
+    name: str,
+    digits: int,
+    double: DoubleError | None = None,
 ) -> ComparedValue:
-    """One value, as text and as a number, beside the right one."""
+    """One value, as text and as a number, beside the right one; ``double``: the error that it may have."""
     if right is None:
         return ComparedValue(line, key, column, given, None, "0.00", "", given, name)
     # The certified decimal as an exact fraction, through integers: its exponent may be beyond the doubles.
-    found = judged(given, value, Fraction(*Decimal(right).as_integer_ratio()), digits)
+    found = judged(given, value, Fraction(*Decimal(right).as_integer_ratio()), digits, double)
     return ComparedValue(line, key, column, given, right, found.digits, found.error, found.marked, name)
+
+
+def told_doubles(doubles: Mapping[str, DoubleError], columns: Sequence[str]) -> dict[str, list[str]]:
+    """For the summary: which of the columns are doubles, and the errors that the header of the file gives them."""
+    names = {column.split(" [")[0] for column in columns}
+    told = [f"{name} ({error})" for name, error in doubles.items() if name in names]
+    return {"doubles": told} if told else {}
 
 
 def summary_of(rows: Sequence[ComparedValue], look: Look) -> dict[str, Any]:

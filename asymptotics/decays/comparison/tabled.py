@@ -74,7 +74,8 @@ def compare_table(
     def compared(table: Table, sheet: Sheet, look: Callable[[bool], Look]) -> Comparison:
         rows = tuple(replace(row, line=row.line + header) for row in _rows(sheet, table, keys, values, wanted))
         summary = summary_of(rows, look(any("[" in row.marked for row in rows)))
-        return Comparison(rows, summary | ({"not_compared": left} if left else {}), table.certified, table.source)
+        summary |= {"not_compared": left} if left else {}
+        return Comparison(rows, summary, table.certified, table.source, table)
 
     def so_far(table: Table) -> Comparison | None:
         entries = _entries(table, keys)

@@ -10,6 +10,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,12 @@ from asymptotics.decays.identification.fitting.least_squares import Noise
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.fitting.profile import coordinate, wald_interval
 from asymptotics.decays.identification.fitting.waveform import WaveformModel
-from asymptotics.decays.identification.forward.candidates import Candidate, default_candidates, read_candidate
+from asymptotics.decays.identification.forward.candidates import (
+    Candidate,
+    default_candidates,
+    read_candidate,
+    read_springs,
+)
 from asymptotics.decays.identification.forward.work import Work
 from asymptotics.decays.identification.judging.adequacy import Levels, noise_levels
 from asymptotics.decays.identification.judging.amplitudes import relieved, spring_bound, widened
@@ -42,7 +48,6 @@ from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import ANGLES, GRAVITY, UNITS
 from asymptotics.errors import InputError, shown
 from asymptotics.running.budget import tick
-from asymptotics.terms import terms_of
 
 MAX_RUNS = 50
 """Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
@@ -93,9 +98,16 @@ def identified(
 
 def _sources(data: Any) -> list[Any]:
     """Several runs, or one; two arrays of numbers are one, (t, x)."""
-    if isinstance(data, tuple) and len(data) == 2 and all(isinstance(d, np.ndarray) and d.ndim == 1 for d in data):
+    if isinstance(data, tuple) and len(data) == 2 and all(map(_is_column, data)):
         return [{"t": data[0], "x": data[1]}]
     return list(data) if isinstance(data, list | tuple) else [data]
+
+
+def _is_column(data: Any) -> bool:
+    """A list of numbers, or an array or a series of one dimension."""
+    if isinstance(data, list | tuple):
+        return bool(data) and all(isinstance(value, Real) for value in data)
+    return getattr(data, "ndim", None) == 1 and hasattr(data, "dtype")
 
 
 def _in_range(run: Observations | Decrements, amplitudes: tuple[float, float] | None) -> Observations | Decrements:
@@ -116,14 +128,20 @@ def _candidates(laws: Sequence[str] | None, springs: Sequence[str], times: bool,
     )
     if not chosen:
         raise InputError("laws", "no law is named", "at least one law")
-    powers = ("+".join("s" + p for p in terms_of(text, "springs")) for text in _texts(springs, "springs"))
-    extra = [read_candidate(f"0+{text}").springs for text in powers]
-    # A pendulum has its spring.
-    chosen += [Candidate(c.losses, s) for s in extra for c in chosen if not (c.springs or c.pendulum)]
+    extra = [read_springs(text) for text in _texts(springs, "springs")]
+    # A pendulum has its spring, and knows no free exponent and no loss that depends on the place.
+    chosen += [
+        replace(c, springs=e.springs, pendulum=e.pendulum)
+        for e in extra
+        for c in chosen
+        if not (c.springs or c.pendulum or (e.pendulum and (c.free or any(m for _, m in c.losses))))
+    ]
     if any(c.pendulum for c in chosen) and not angles:
-        raise InputError("laws", "a pendulum needs angles", f"x in one of: {', '.join(ANGLES)} (--unit)")
+        named = "springs" if any(e.pendulum for e in extra) else "laws"
+        raise InputError(named, "a pendulum needs angles", f"x in one of: {', '.join(ANGLES)} (--unit)")
     if not times and any(c.springs or c.pendulum for c in chosen):
-        raise InputError("laws", "springs need times", "laws without springs, or data with times")
+        named = "springs" if extra else "laws"
+        raise InputError(named, "springs need times", "laws without springs, or data with times")
     return list(dict.fromkeys(chosen))
 
 

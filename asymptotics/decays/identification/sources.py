@@ -41,12 +41,17 @@ def load(source: Any, kind: str | None = None, unit: str = "", how: How | None =
             _require_few(source.last, source.name or "n")
         return [source]
     table = read_table(source, kind, unit, how)
-    if modes > 1 and table.kind in ("decrement", "turning-points"):
-        raise InputError("modes", f"{table.kind} show no second mode", "1, or the samples of a motion")
-    if table.kind == "decrement":
-        return [_decrements(table)]
-    found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole(), modes)
-    return [replace(run, time_unit=table.clock) for run in found]
+    try:
+        if modes > 1 and table.kind in ("decrement", "turning-points"):
+            raise InputError("modes", f"{table.kind} show no second mode", "1, or the samples of a motion")
+        if table.kind == "decrement":
+            return [_decrements(table)]
+        found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole(), modes)
+        return [replace(run, time_unit=table.clock) for run in found]
+    except InputError as error:
+        # A column that was taken wrongly may be why: the refusal names it, and those that swing more.
+        told = table.read_as() if error.argument.startswith("FILE") else ""
+        raise type(error)("FILE", f"{error.reason}; {told}", error.accepted) if told else error from None
 
 
 def _motions(table: RecordTable, modes: int) -> list[Observations]:
@@ -105,6 +110,9 @@ def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[s
         return with_mode_beside(t[kept], x[kept], unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
     # Within each release: a line has its own phase and size in each of them.
     whole = t
+    # What never changes has no period, which the search for a second mode asks for.
+    if len(x) and not np.ptp(x) > 0:
+        raise InputError("FILE", f"{rows.name}, column {'xva'[_order(run)]}: all values are {x[0]:g}", "a motion")
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)
     if _order(run) == 0:
@@ -112,7 +120,7 @@ def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[s
         rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
         seen = observations_of_record(t, x, unit=run.unit, rows=rows)
         return replace(seen, notes=(*notes, *seen.notes, *_tail(whole, seen)))
-    if len(t) < LEAST_SAMPLES or not np.ptp(x) > 0:
+    if len(t) < LEAST_SAMPLES:
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
     return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
 

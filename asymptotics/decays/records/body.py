@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asymptotics.decays.records.cells import MISSING, is_stamp, number, seconds_of_stamp
-from asymptotics.decays.records.layout import WHITE, Layout, is_comment, split
+from asymptotics.decays.records.layout import Layout
+from asymptotics.decays.records.lines import WHITE, is_comment, split
 from asymptotics.running.budget import tick
 
 Array = NDArray[np.float64]

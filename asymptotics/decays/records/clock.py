@@ -8,6 +8,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from asymptotics.decays.records.bursts import evened
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.errors import InputError
 
@@ -58,6 +59,10 @@ def straightened(t: Array, x: Array, rows: RowPlaces) -> tuple[Array, Array, Row
             raise InputError("FILE", reason, "increasing values")
         notes.append(f"rows out of order (the first is row {rows.row(int(back[0]) + 1)}) sorted by their times")
         t, x, rows = t[order], x[order], rows.kept(order)
+    t, together = evened(t, x)
+    if together:
+        apart = float(t[1] - t[0])
+        notes.append(f"time stamps come in bursts of about {together:.3g} (a buffer): taken as even, {apart:.4g} apart")
     same = np.diff(t) == 0
     if same.any():
         first = int(np.argmax(same)) + 1

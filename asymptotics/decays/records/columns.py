@@ -29,8 +29,8 @@ COLUMNS = {
 OPTIONAL = {"record": (), "velocity": (), "acceleration": (), "turning-points": ("tau",), "decrement": ("resolution",)}
 
 _WORDS = {
-    "time": "t time zeit tau temps tiempo tempo timestamp datetime x_value clock",
-    "position": "x position pos displacement phi theta angle angular winkel auslenkung roll pitch elongation weg "
+    "time": "t time zeit tau temps tiempo tempo timestamp datetime x_value clock elapsed seconds sekunden",
+    "position": "x y z position pos displacement phi theta angle angular winkel auslenkung roll pitch elongation weg "
     "deflection distance \N{GREEK SMALL LETTER THETA} \N{GREEK SMALL LETTER PHI}",
     "velocity": "v velocity speed omega gyroscope gyro geschwindigkeit winkelgeschwindigkeit vx vy vz rate "
     "\N{GREEK SMALL LETTER OMEGA}",
@@ -67,14 +67,17 @@ def quantity(name: str) -> str:
 
     >>> [quantity(n) for n in ("Zeit t / s", "Gyroscope x (rad/s)", "angular velocity", "y (cm)", "Potential 1", "t_s")]
     ['time', 'velocity', 'velocity', 'position', '', 'time']
+    >>> [quantity(n) for n in ("Time A [s]", "Pos A", "Channel A", "a", "a_x", "mass_A: t")]
+    ['time', 'position', '', 'acceleration', 'acceleration', 'time']
     """
     unit = suffix(name)
-    label = re.sub(r"[\[(][^\])]*[\])]\s*\Z", "", without_run(name))
+    # What stands before a colon is the run or the point that was followed.
+    label = re.sub(r"[\[(][^\])]*[\])]\s*\Z", "", without_run(name)).rpartition(": ")[2]
     # Physicists write quantity/unit: what stands behind the slash is no word of the name.
     label = label.rpartition("/")[0] if re.search(r"\S\s*/\s*\S+\Z", label) and unit else label
     label = label.removesuffix("_" + unit) if unit else label
     words = [w for w in re.split(r"[^\w]+|_|\d+", label.lower()) if w]
-    found = [_MEANING[w] for w in words if w in _MEANING]
+    found = [_MEANING[w] for w in words if w in _MEANING and (len(w) > 1 or _is_letter_of(w, words))]
     by_unit = _by_unit(unit)
     # A name that is one word of the list as a whole, such as x_value, is cut into no others.
     if label.lower().strip() in _MEANING:
@@ -82,11 +85,20 @@ def quantity(name: str) -> str:
     # "uncertainty t (s)" is no time.
     if "uncertainty" in found:
         return "uncertainty"
+    # Of letters alone the first decides: a_x is an acceleration, x_a none.
+    if found and all(len(w) == 1 for w in words):
+        return found[0]
     for decisive in _LAST:
         # A unit of length or speed overrules the word time, as in "time average (m)".
         if decisive in found and not (decisive == "time" and by_unit not in ("", "time")):
             return decisive
     return found[0] if found else by_unit
+
+
+def _is_letter_of(letter: str, words: Sequence[str]) -> bool:
+    """Whether a letter is the symbol of a quantity: beside a word, as in "Pos A" or "channel a", it is a label."""
+    beside = [w for w in words if len(w) > 1]
+    return not beside or (letter not in "avnt" and not any(w in _MEANING for w in beside))
 
 
 def _by_unit(unit: str) -> str:
@@ -113,6 +125,7 @@ def choose(names: Sequence[str], columns: str | None, kind: str | None, file: st
     extra = set(places) - {*wanted, *optional}
     if extra:
         raise InputError("columns", f"{', '.join(sorted(extra))} is no column of the kind {found}", accepted(found))
+    places = {column: places[column] for column in (*wanted, *optional) if column in places}
     _require_what_it_says(names, places, found, kind, file, columns)
     return Choice(found, places, _note(names, places))
 

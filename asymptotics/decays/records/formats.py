@@ -13,9 +13,11 @@ from typing import Any
 
 import numpy as np
 
+from asymptotics.decays.records.columns import quantity
+from asymptotics.decays.records.rates import rate_in
 from asymptotics.decays.records.sizes import (
     MAX_CELLS,
-    numeric_of_mat,
+    readable_of_mat,
     require_few_values,
     require_small_arrays,
     require_small_sheet,
@@ -23,6 +25,8 @@ from asymptotics.decays.records.sizes import (
 from asymptotics.errors import InputError
 
 SHEETS = (".xlsx", ".xls", ".ods", ".xlsm")
+_SAMPLES, _TIMES = 50, 8
+"""Rows that a sheet of samples has at least, and in how many times more than any other, to be taken unasked."""
 FRAMES = (".parquet", ".npz", ".npy", ".mat", ".h5", ".hdf5", ".tdms")
 
 
@@ -46,8 +50,9 @@ def _suffix(path: Path) -> str:
     return path.suffix.lower()
 
 
-def sheet_lines(path: Path, sheet: str | None) -> list[str]:
-    """The rows of a sheet as lines with tabs; InputError if there are several sheets with numbers and none is named."""
+def sheet_lines(path: Path, sheet: str | None) -> tuple[list[str], tuple[str, ...]]:
+    """The rows of a sheet as lines with tabs, and which one it is where there are several; InputError if several may be
+    the data and none is named."""
     import pandas  # noqa: PLC0415 (an extra)
 
     with _reading(path, "files", "a whole spreadsheet"):
@@ -62,12 +67,19 @@ def sheet_lines(path: Path, sheet: str | None) -> list[str]:
                 for n in ([sheet] if sheet else names)
             }
     # Sheets of remarks and pictures are no candidates.
-    filled = {n: t for n, t in tables.items() if _rows_of_numbers(t) >= 2}
+    rows = {n: _rows_of_numbers(t) for n, t in tables.items()}
+    filled = {n: t for n, t in tables.items() if rows[n] >= 2}
+    told: tuple[str, ...] = ()
+    # A sheet of samples has many times the rows of one with results.
+    longest = sorted(filled, key=lambda n: -rows[n])[:2]
+    if len(longest) == 2 and rows[longest[0]] >= max(_SAMPLES, _TIMES * rows[longest[1]]):
+        told = (f"of {len(filled)} sheets with numbers the longest, {longest[0]!r}: --sheet overrules",)
+        filled = {longest[0]: filled[longest[0]]}
     if len(filled) != 1:
         reason = f"{path.name} has {len(filled)} sheets with numbers: {', '.join(filled or names)[:100]}"
         raise InputError("FILE", reason, "--sheet NAME" if filled else "a sheet with a table of numbers")
     table = next(iter(filled.values()))
-    return ["\t".join(_text(cell) for cell in row) for row in table.itertuples(index=False)]
+    return ["\t".join(_text(cell) for cell in row) for row in table.itertuples(index=False)], told
 
 
 def _rows_of_numbers(table: Any) -> int:
@@ -97,7 +109,7 @@ def frame_of(path: Path) -> Any:
         arrays = _arrays(path)
     columns: dict[str, Any] = {}
     for name, values in arrays.items():
-        array = np.squeeze(np.asarray(values))
+        array = np.squeeze(np.asarray(values)) if not isinstance(values, str | list | None) else np.array(None)
         if array.ndim == 1 and array.dtype.kind in "fiu" and len(array) > 1:
             columns[name] = array.astype(float)
         elif array.ndim == 2 and array.dtype.kind in "fiu":
@@ -105,11 +117,27 @@ def frame_of(path: Path) -> Any:
             tall = array if array.shape[0] >= array.shape[1] else array.T
             columns |= {f"column {i + 1}" if len(arrays) == 1 else f"{name} {i + 1}": tall[:, i].astype(float)
                         for i in range(tall.shape[1])}  # fmt: skip
+    columns = _of_one_length(columns)
     lengths = {len(v) for v in columns.values()}
     if len(lengths) != 1:
         listed = ", ".join(f"{n} ({len(v)})" for n, v in columns.items())[:150]
         raise InputError("FILE", f"{path.name} holds arrays of {len(lengths)} lengths: {listed}", "one length for all")
-    return pandas.DataFrame(columns)
+    frame = pandas.DataFrame(columns)
+    # A rate beside the samples, as 1 x 1 arrays or scalars: the clock where there is no column of times.
+    said = [f"{name} = {float(np.squeeze(v))!r}" for name, v in arrays.items() if np.size(v) == 1 and _is_number(v)]
+    frame.attrs["rate"] = rate_in([line.rpartition("/")[2] for line in said])
+    return frame
+
+
+def _is_number(value: Any) -> bool:
+    return np.asarray(value).dtype.kind in "fiu"
+
+
+def _of_one_length(columns: dict[str, Any]) -> dict[str, Any]:
+    """Of arrays of several lengths those as long as the only column of times, if something is measured beside it."""
+    times = {len(v) for name, v in columns.items() if quantity(name) == "time"}
+    kept = {name: v for name, v in columns.items() if len(v) in times}
+    return kept if len(times) == 1 and len(kept) > 1 else columns
 
 
 def _arrays(path: Path) -> dict[str, Any]:
@@ -134,15 +162,34 @@ def _parquet(path: Path) -> Any:
 
 
 def _mat(path: Path) -> dict[str, Any]:
-    """The variables, of which those that are no arrays of numbers are not read: they stand as None."""
+    """The variables and the fields of structs; what is no array of numbers is not read, and stands as None."""
     from scipy.io import loadmat  # noqa: PLC0415 (slow to load, for one format)
 
     # From memory, so that scipy adds no .mat to the name and looks for no other file.
     data = path.read_bytes()
-    variables = numeric_of_mat(data, path.name)
-    wanted = [name for name, numeric in variables if numeric]
-    found = loadmat(io.BytesIO(data), variable_names=wanted) if wanted else {}
-    return {name: found.get(name) for name, _ in variables}
+    variables = readable_of_mat(data, path.name)
+    wanted = [name for name, readable in variables if readable]
+    found = loadmat(io.BytesIO(data), variable_names=wanted, simplify_cells=True) if wanted else {}
+    return _short(flattened({name: found.get(name) for name, _ in variables}))
+
+
+def flattened(found: dict[str, Any], before: str = "") -> dict[str, Any]:
+    """The fields of structs within structs under their paths.
+
+    >>> flattened({"Run": {"Out": {"Time": [0, 1]}, "Note": "a"}, "fs": 100})
+    {'Run/Out/Time': [0, 1], 'Run/Note': 'a', 'fs': 100}
+    """
+    flat: dict[str, Any] = {}
+    for name, value in found.items():
+        # Structs in an array or a cell are numbered.
+        listed = isinstance(value, list) or (isinstance(value, np.ndarray) and value.dtype.kind == "O")
+        inner = {str(i + 1): v for i, v in enumerate(value)} if listed and not _is_plain(value) else value
+        flat |= flattened(inner, f"{before}{name}/") if isinstance(inner, dict) else {before + name: value}
+    return flat
+
+
+def _is_plain(values: Any) -> bool:
+    return not any(isinstance(value, dict | np.ndarray) for value in values)
 
 
 def _hdf5(path: Path) -> dict[str, Any]:

@@ -8,21 +8,19 @@ rows of one width, is taken.  Two that do so equally and read different numbers 
 (';', ',', ('Zeit (s)', 'Winkel [deg]'), 4)
 """
 
-import csv
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from asymptotics.decays.records.cells import MISSING, is_grouped, is_stamp, number
-from asymptotics.decays.records.units import is_unit, suffix
+from asymptotics.decays.records.header import header_of
+from asymptotics.decays.records.lines import WHITE, is_comment, split
+from asymptotics.decays.records.one_column import one_column
 from asymptotics.errors import InputError
 
-WHITE = " "
 _SEPARATORS = ("\t", ";", "|", ",", WHITE)
 """The signs that are no decimal marks first: of equal readings the first wins, by a millionth of the score."""
-_COMMENT = re.compile(r"\s*(?:#|%|//|!)\s?")
-_HEADER_WORD = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")
 
 
 @dataclass(frozen=True)
@@ -42,20 +40,6 @@ class Layout:
         return split(line, self.separator)
 
 
-def split(line: str, separator: str) -> list[str]:
-    """The cells of one line, quotes obeyed, without the white space around them."""
-    if separator == WHITE:
-        return line.split()
-    if '"' not in line:
-        return [cell.strip() for cell in line.strip(" ").split(separator)]
-    return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])]
-
-
-def is_comment(line: str) -> bool:
-    """A line that is blank, or a remark: from its first sign on."""
-    return not line.strip() or bool(_COMMENT.match(line))
-
-
 def layout_of(lines: Sequence[str], name: str, *, decimal: str | None = None, skip: int = 0) -> Layout:
     """The layout that the first lines show; InputError if they hold no table, or two readings are possible."""
     # Excel announces the separator in a first line, sep=;.
@@ -66,6 +50,10 @@ def layout_of(lines: Sequence[str], name: str, *, decimal: str | None = None, sk
         for s in ((separator,) if separator else _SEPARATORS)
         if (found := _tried(lines, s, mark, skip)) is not None
     ]
+    single = one_column(lines, decimal, skip)
+    most = max((score for score, _ in tried), default=0)
+    if single and (single.rows > 2 * most or (single.decimal == "," and single.sure and single.rows > 0.9 * most)):
+        return Layout("\t", single.decimal, single.header, single.start, 1)
     if not tried:
         filled = any(line.strip() for line in lines)
         reason = f"{name}: no rows of two numbers in {len(lines)} lines" if filled else f"{name} is empty"
@@ -74,12 +62,12 @@ def layout_of(lines: Sequence[str], name: str, *, decimal: str | None = None, sk
     best = max(tried, key=lambda found: found[0])
     _require_one_reading(best, tried, lines, name)
     _, layout = best
-    header, unclear = _header(lines[skip : layout.start], layout)
+    header, unclear = header_of(lines[skip : layout.start], layout.separator, layout.decimal, layout.width)
     # Names that do not fit the cells are a sign that a decimal comma was taken for a separator.
     if unclear:
         reason = f"{name}, row {layout.start}: {unclear} names above rows of {layout.width} cells"
         raise InputError("FILE", reason, "as many names as cells; or --columns t=1,x=2 with --skip, or --decimal ,")
-    return Layout(layout.separator, layout.decimal, header, layout.start, layout.width, layout.thousands)
+    return replace(layout, header=header)
 
 
 def _announced(line: str) -> str | None:
@@ -154,62 +142,3 @@ def _require_one_reading(
                 if one is not None and two is not None and one == one and one != two:
                     reason = f"{name}, row {i + 1}: {cell[:20]!r} may be {one:g} or {two:g}"
                     raise InputError("FILE", reason, "--decimal . or --decimal , (decimal='.' or decimal=',')")
-
-
-def _header(above: Sequence[str], layout: Layout) -> tuple[tuple[str, ...], int]:
-    """The names above the numbers, with the row of units and the row of groups; and how many there are if too few."""
-    lines = [line for line in above if line.strip()]
-    if not lines:
-        return (), 0
-    names, remark = _names(lines[-1], layout)
-    units: list[str] = []
-    if len(names) == layout.width and all(is_unit(cell) for cell in names) and len(lines) > 1:
-        units = names
-        lines = lines[:-1]
-        names, remark = _names(lines[-1], layout)
-    if len(names) != layout.width or not any(names):
-        return (), 0 if remark or len(names) < 2 else len(names)
-    # Numbers above the numbers are a row that was skipped, no names.
-    if all(number(cell, layout.decimal) is not None for cell in names):
-        return (), 0
-    # Names that repeat have the run or the sensor in the row above them.
-    if len(set(names)) < len(names) and len(lines) > 1:
-        names = _grouped(_names(lines[-2], layout)[0], names)
-    if units:
-        units = [unit.strip("[]() ") for unit in units]
-        names = [f"{n} [{u}]" if u and not suffix(n) else n for n, u in zip(names, units)]
-    return tuple(names), 0
-
-
-def _names(line: str, layout: Layout) -> tuple[list[str], bool]:
-    remark = _COMMENT.match(line)
-    text = line[remark.end() :] if remark else line
-    if layout.separator == WHITE:
-        # Names with spaces in a table of white space: by wide gaps, by brackets, by words; the first that fits the
-        # width.
-        for names in (re.split(r"\t|\s{2,}|,\s*|;\s*", text.strip()), _HEADER_WORD.findall(text), text.split()):
-            if len(names) == layout.width:
-                return [n.strip() for n in names], bool(remark)
-        return text.split(), bool(remark)
-    names = split(text, layout.separator)
-    # Some exporters head a table of tabs with names between commas.
-    if len(names) < layout.width and layout.separator != ",":
-        other = split(text, ",")
-        names = other if len(other) == layout.width else names
-    while len(names) > layout.width and not names[-1]:
-        names.pop()
-    # A column of remarks that is empty in every row looked at.
-    if len(names) == layout.width + 1 and names[-1].lower() in ("comment", "comments", "remarks", "notes"):
-        names.pop()
-    if len(names) == layout.width - 1:  # rows that end with a separator
-        names.append("")
-    return names, bool(remark)
-
-
-def _grouped(groups: Sequence[str], names: Sequence[str]) -> list[str]:
-    """Names that stand twice, with the name of the group above them (which stands at its first column)."""
-    filled, last = [], ""
-    for place in range(len(names)):
-        last = (groups[place] if place < len(groups) else "") or last
-        filled.append(last)
-    return [f"{group}: {n}" if group and names.count(n) > 1 else n for group, n in zip(filled, names)]

@@ -13,7 +13,9 @@ limits, which are refusals of files that no experiment writes; what is damaged i
 
 import io
 import re
+import struct
 import zipfile
+import zlib
 from collections.abc import Iterable, Iterator
 from math import prod
 from pathlib import Path
@@ -143,14 +145,36 @@ def _shape(stream: IO[bytes]) -> tuple[int, ...]:
     return shape
 
 
-def numeric_of_mat(data: bytes, name: str) -> list[tuple[str, bool]]:
-    """The variables of a MATLAB file and whether they are arrays of numbers, which may be read."""
+def readable_of_mat(data: bytes, name: str) -> list[tuple[str, bool]]:
+    """The variables of a MATLAB file and whether they may be read: arrays of numbers, and structs and cells, which may
+    hold some."""
     from scipy.io import whosmat  # noqa: PLC0415 (slow to load, for one format)
 
     found = whosmat(io.BytesIO(data))
-    numeric = [(variable, shape, kind.startswith(_NUMBERS)) for variable, shape, kind in found]
-    require_few_values([shape for _, shape, numbers in numeric if numbers], name)
-    return [(variable, numbers) for variable, _, numbers in numeric]
+    numeric = [shape for _, shape, kind in found if kind.startswith(_NUMBERS)]
+    require_few_values(numeric, name)
+    if any(kind in _NESTED for _, _, kind in found):
+        _require_small_when_unpacked(data, name)
+    return [(variable, kind.startswith(_NUMBERS) or kind in _NESTED) for variable, _, kind in found]
 
 
-_NUMBERS = ("double", "single", "int", "uint", "logical")
+def _require_small_when_unpacked(data: bytes, name: str) -> None:
+    """LimitError for packed variables of more than ``MAX_BYTES``: a struct does not say how much it holds.
+
+    The file is 128 bytes and a row of (type, size, bytes); type 15 is packed by zlib (MathWorks, MAT-File Level 5).
+    """
+    order = "<" if data[126:128] == b"IM" else ">"
+    place, total = 128, 0
+    while place + 8 <= len(data):
+        kind, size = struct.unpack_from(f"{order}II", data, place)
+        packed = zlib.decompressobj()
+        rest = data[place + 8 : place + 8 + size] if kind == _PACKED else b""
+        while rest and not packed.eof and total <= MAX_BYTES:
+            total += len(packed.decompress(rest, _CHUNK))
+            rest = packed.unconsumed_tail
+        place += 8 + size
+    if total > MAX_BYTES:
+        raise LimitError("FILE", f"{name} unpacks to more than {MAX_BYTES} bytes", f"at most {MAX_BYTES} bytes")
+
+
+_NUMBERS, _NESTED, _PACKED = ("double", "single", "int", "uint", "logical"), ("struct", "cell"), 15

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,9 @@ from asymptotics.decays.records.body import Body, Unread, read_body
 from asymptotics.decays.records.cells import is_stamp, number, seconds_of_stamp
 from asymptotics.decays.records.formats import FRAMES, SHEETS, frame_of, sheet_lines
 from asymptotics.decays.records.labview import with_clock
-from asymptotics.decays.records.layout import Layout, is_comment, layout_of
+from asymptotics.decays.records.layout import Layout, layout_of
+from asymptotics.decays.records.lines import is_comment
+from asymptotics.decays.records.rates import rate_in
 from asymptotics.decays.records.text import lines_of, unpacked
 from asymptotics.errors import InputError, require_choice, shown
 
@@ -26,23 +29,27 @@ _HEAD, _LONGEST = 2_000, 100_000
 @dataclass(frozen=True)
 class How:
     """What is said of a file: ``columns`` such as ``t=Time (s),x=3``; ``decimal``: ``.`` or ``,``; ``skip``: lines
-    before the table; ``sheet``: its name."""
+    before the table; ``sheet``: its name; ``rate``: samples a second, instead of a column of times."""
 
     columns: str | None = None
     decimal: str | None = None
     skip: int = 0
     sheet: str | None = None
+    rate: float | None = None
 
     def __post_init__(self) -> None:
         if self.decimal is not None:
             require_choice(self.decimal, "decimal", (".", ","))
         if isinstance(self.skip, bool) or not isinstance(self.skip, int) or not 0 <= self.skip <= _LONGEST:
             raise InputError("skip", f"{shown(self.skip)} is no number of lines", f"0 to {_LONGEST}")
+        if self.rate is not None and not (isinstance(self.rate, int | float) and 0 < self.rate < inf):
+            raise InputError("rate", f"{shown(self.rate)} is no rate", "samples a second, a number > 0")
 
 
 @dataclass(frozen=True)
 class Source:
-    """``headed``: whether the names stand in the file; ``read``: the columns at these places; ``sample``: some rows."""
+    """``headed``: whether the names stand in the file; ``read``: the columns at these places; ``sample``: some rows;
+    ``rate``: samples a second, where the file says it."""
 
     name: str
     names: tuple[str, ...]
@@ -50,6 +57,7 @@ class Source:
     read: Callable[[Sequence[int]], Body]
     sample: Callable[[Sequence[int]], dict[int, Array]]
     notes: tuple[str, ...] = ()
+    rate: float | None = None
 
 
 def opened(source: Any, how: How) -> Source:
@@ -78,7 +86,9 @@ def opened(source: Any, how: How) -> Source:
     if path.suffix.lower() in SHEETS + FRAMES and _is_file(path):
         if path.suffix.lower() in FRAMES:
             return _of_frame(frame_of(path), path.name, how)
-        return _of_text("\n".join(sheet_lines(path, how.sheet)).encode(), path.stem + path.suffix + " (sheet)", how)
+        lines, told = sheet_lines(path, how.sheet)
+        found = _of_text("\n".join(lines).encode(), path.stem + path.suffix + " (sheet)", how)
+        return replace(found, notes=(*found.notes, *told))
     if "\0" in str(path):
         raise InputError("FILE", f"{str(path)!r} is no file name", "a file of data")
     return _of_text(path, path.name, how)
@@ -133,7 +143,7 @@ def _of_text(source: Path | bytes, name: str, how: How) -> Source:
     # A reading that another program would not share is told.
     told = [f"decimal comma, cells separated by {layout.separator!r}"] if layout.decimal == "," else []
     told += ["a comma or point groups thousands"] if layout.thousands else []
-    return Source(name, names, bool(layout.header), read, sample, tuple(told))
+    return Source(name, names, bool(layout.header), read, sample, tuple(told), rate_in(head[: layout.start]))
 
 
 def _layout(source: Path | bytes, name: str, how: How) -> tuple[list[str], Layout]:
@@ -164,7 +174,8 @@ def _of_frame(frame: Any, name: str, how: How) -> Source:
         columns = {c: _numbers(frame.iloc[:, c], c, unread, how.decimal or ".") for c in wanted}
         return Body(columns, np.arange(len(frame)), unread)
 
-    return Source(name, names, headed, read, lambda wanted: read(wanted).columns)
+    rate = frame.attrs.get("rate") if isinstance(frame.attrs, dict) else None
+    return Source(name, names, headed, read, lambda wanted: read(wanted).columns, rate=rate)
 
 
 def _numbers(column: Any, place: int, unread: Unread, decimal: str) -> Array:

@@ -10,7 +10,8 @@
 "1 row that cannot be read left out, the first is row 5: 'oops' in the column Winkel (deg)"
 """
 
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -18,8 +19,9 @@ from numpy.typing import NDArray
 
 from asymptotics.decays.records.body import Unread
 from asymptotics.decays.records.cells import MARKS
-from asymptotics.decays.records.columns import KINDS, Choice, SeveralError, choose, quantity
-from asymptotics.decays.records.main_axis import carrying
+from asymptotics.decays.records.choosing import chosen, read_as
+from asymptotics.decays.records.clocked import clocked
+from asymptotics.decays.records.columns import KINDS, Choice
 from asymptotics.decays.records.peaks import peaks_of_one_side
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.sources import How, Source, opened
@@ -36,7 +38,8 @@ _TOLERATED = 0.1
 @dataclass(frozen=True)
 class RecordTable:
     """Columns of equal length, by their names in the contract; ``unit``: of x; ``rows``: where they stand; ``clock``:
-    the unit of time in the file (the times themselves are in s)."""
+    the unit of time in the file (the times themselves are in s); ``read_as``: a sentence on the columns of a file that
+    has others too, for a refusal."""
 
     kind: str
     columns: dict[str, Array]
@@ -44,6 +47,7 @@ class RecordTable:
     rows: RowPlaces
     notes: tuple[str, ...] = ()
     clock: str = "s"
+    read_as: Callable[[], str] = field(default=str, compare=False)
 
     def kept(self, keep: NDArray[np.bool_] | NDArray[np.intp], *notes: str) -> "RecordTable":
         """Some of the rows, and why."""
@@ -70,14 +74,14 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
         require_choice(kind, "kind", KINDS)
     unit, time = units_said(unit)
     how = how or How()
-    given = opened(source, how)
+    given = clocked(opened(source, how), how)
     named = [name for name in given.names if name]
     # Names that stand twice can still be told by their places.
     if len(set(named)) < len(named) and how.columns is None:
         raise InputError(
             "FILE", f"{given.name}: two columns have one name", "columns with different names, or --columns"
         )
-    choice = _chosen(given, kind, how)
+    choice = chosen(given, kind, how)
     body = given.read(sorted(set(choice.places.values())))
     columns = {name: body.columns[place] for name, place in choice.places.items()}
     rows = RowPlaces(given.name, body.lines)
@@ -85,6 +89,7 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     # In this order: a row that cannot be read is told with its text, a mark as it stands in the file, and units come
     # last.
     found = _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit, time)
+    found = replace(found, read_as=lambda: read_as(given, choice))
     return _as_peaks(found, given.names[choice.places["x"]]) if kind is None and found.kind == "record" else found
 
 
@@ -96,23 +101,6 @@ def _as_peaks(table: RecordTable, name: str) -> RecordTable:
         return table
     said = f"{name!r}: {len(n)} peaks of one side, a period apart (n = 0, 2, 4, ...); --kind record overrules"
     return replace(table, kind="turning-points", columns={"n": n, "x": x, "tau": t}, notes=(*table.notes, said))
-
-
-def _chosen(given: Source, kind: str | None, how: How) -> Choice:
-    """The columns; of several of one quantity and unit the one that carries the oscillation, if it is one."""
-    names = _ordered(given, kind, how)
-    try:
-        return choose(names, how.columns, kind, given.name)
-    except SeveralError as several:
-        alike = len({(quantity(names[i]), suffix(names[i])) for i in several.found}) == 1
-        measured = several.column in ("x", "v", "a") and alike and how.columns is None
-        place = carrying(given.read(several.found).columns) if measured else None
-        if place is None:
-            raise InputError("FILE", several.reason, several.accepted) from None
-        choice = choose(names, f"{several.column}={place + 1}", kind, given.name)
-        listed = ", ".join(repr(names[i][:30]) for i in several.found)
-        said = f"of {listed} it carries the oscillation (nine tenths of the line): --columns overrules"
-        return replace(choice, note=f"{choice.note}; {said}")
 
 
 def units_said(unit: str) -> tuple[str, str]:
@@ -130,23 +118,6 @@ def units_said(unit: str) -> tuple[str, str]:
     if len(of_x) > 1 or len(of_time) > 1:
         raise InputError("unit", f"{unit[:40]!r} names two units of one quantity", "one of x, one of time: mm,ms")
     return "".join(of_x), "".join(of_time)
-
-
-def _ordered(given: Source, kind: str | None, how: How) -> list[str]:
-    """The names; in a file without names, two columns of which one increases are a time and a position."""
-    if given.headed or kind is not None or how.columns is not None or len(given.names) != 2:
-        return list(given.names)
-    body = given.sample([0, 1])
-    with np.errstate(invalid="ignore"):  # two cells beyond the doubles: no step
-        steps = [np.diff(body[i]) for i in (0, 1)]
-    rising = [len(step) > 3 and bool((step > 0).all()) for step in steps]
-    counted = [bool(np.array_equal(step, np.ones(len(step)))) for step in steps]
-    # 0, 1, 2, ... counts turning points or rows as well as seconds: that is asked.
-    if rising == [True, False] and not counted[0]:
-        return ["t", "x"]
-    if rising == [False, True] and not counted[1]:
-        return ["x", "t"]
-    return list(given.names)
 
 
 def _unmarked(table: RecordTable) -> RecordTable:

@@ -102,7 +102,7 @@ def seconds(column: str, name: str, said: str = "") -> float:
     named = suffix(column)
     after = re.fullmatch(r".*_([a-z]{2,})", column)
     # t_ms is a unit, t_raw a word: an ending that is no unit of time and no such word is refused, not taken as seconds.
-    if not named and after and after[1] not in ("n", "time", "t", "raw"):
+    if not named and after and after[1] not in ("n", "time", "t", "raw", "elapsed", "stamp"):
         named = after[1]
     if named and named not in SECONDS:
         reason = f"{name}, row 1, column {column}: {named[:20]!r} is no unit of time"

@@ -213,7 +213,7 @@ def test_units_of_nothing_are_taken_as_they_are_and_told(unit, tmp_path):
     assert table.unit == "" and f"strengths refer to 1 {unit}" in table.notes[1]
 
 
-def test_a_footer_is_left_out_and_told_and_two_clocks_are_asked_for(tmp_path):
+def test_a_footer_is_left_out_and_told_and_of_two_clocks_the_one_with_a_unit_is_taken(tmp_path):
     path = tmp_path / "a.csv"
     path.write_text("t,x\n" + rows(",") + "end of measurement\nmean: 0.01\n")
     table = read_table(path)
@@ -221,9 +221,15 @@ def test_a_footer_is_left_out_and_told_and_two_clocks_are_asked_for(tmp_path):
     assert table.notes[1].startswith("2 rows that cannot be read left out, the first is row 602: 'end of measurement'")
     days = "".join(f"2024-03-01 11:02:{t:06.3f},{t:.3f},{x:.6f}\n" for t, x in zip(T, X))
     path.write_text("Date and Time,Time (s) Run #1,Angle (deg) Run #1\n" + days)
+    table = read_table(path)
+    check(table)
+    assert "of 'Date and Time', 'Time (s) Run #1', which tell one time" in table.notes[0]
+    check(read_table(path, how=How(columns="t=2,x=3")))
+    # Two that do not run alike are asked for.
+    days = "".join(f"2024-03-01 11:02:{t:06.3f},{abs(t - 6):.3f},{x:.6f}\n" for t, x in zip(T, X))
+    path.write_text("Date and Time,Time (s) Run #1,Angle (deg) Run #1\n" + days)
     with pytest.raises(InputError, match=r"t may be any of 'Date and Time', 'Time \(s\) Run #1' .*--columns t=1,x=3"):
         read_table(path)
-    check(read_table(path, how=How(columns="t=2,x=3")))
 
 
 def test_dates_and_times_of_day_are_times(tmp_path):

@@ -143,6 +143,20 @@ def read_candidate(text: str) -> Candidate:
     return Candidate(tuple(losses), tuple(springs), pendulum)
 
 
+def read_springs(text: str) -> Candidate:
+    """The springs of a text such as ``3+5`` or ``pendulum``, beside a loss that stands for any; InputError names them.
+
+    >>> read_springs("3+5").springs, read_springs("pendulum").pendulum
+    ((3, 5), True)
+    """
+    try:
+        words = ["" if item == PENDULUM else "s" for item in terms_of(text, "springs")]
+        return read_candidate("+".join(["0", *(w + i for w, i in zip(words, terms_of(text, "springs")))]))
+    except InputError as error:
+        reason = f"{text[:40]!r} is no spring or sum of springs"
+        raise InputError("springs", reason, f"powers from 2 to 9: 3, 3+5; or {PENDULUM}") from error
+
+
 def _read_loss(item: str) -> tuple[str, int]:
     powers, colon, strength = item.partition(":")
     if strength:
