@@ -7,10 +7,16 @@ import pytest
 from scipy.optimize import minimize
 from scipy.stats import chi2
 
-from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.identification import damping_table, inverse_damping
-from asymptotics.identification.damping_table import _candidates, _neglected, _positive, _read, _what, law_of_table
-from asymptotics.identification.inverse_damping import (
+from asymptotics.decays.identification import damping_table, inverse_damping
+from asymptotics.decays.identification.damping_table import (
+    _candidates,
+    _neglected,
+    _positive,
+    _read,
+    _what,
+    law_of_table,
+)
+from asymptotics.decays.identification.inverse_damping import (
     DampingCandidate,
     Problem,
     Strength,
@@ -23,6 +29,7 @@ from asymptotics.identification.inverse_damping import (
     fitted,
     weighted,
 )
+from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.numbers.policy import exact_number
 
 A = np.array([0.1, 0.2, 0.4, 0.8, 1.6])

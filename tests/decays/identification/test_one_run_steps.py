@@ -5,19 +5,19 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from asymptotics.decays.identification.fitting.in_time import ALL
 
+from asymptotics.decays.identification import identify as module
+from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.fitting.printed import Decrements
+from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.identify import identify
+from asymptotics.decays.identification.judging.laws import Fitted
+from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.telling.result import Identification, LawAnswer, RecordUnits
+from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, Verdict
 from asymptotics.errors import InputError
-from asymptotics.identification import identify as module
-from asymptotics.identification.fitting.in_time import ALL
-from asymptotics.identification.fitting.least_squares import Noise
-from asymptotics.identification.fitting.printed import Decrements
-from asymptotics.identification.forward.candidates import read_candidate as read
-from asymptotics.identification.identify import identify
-from asymptotics.identification.judging.laws import Fitted
-from asymptotics.identification.measuring.observations import Observations
-from asymptotics.identification.telling.result import Identification, LawAnswer, RecordUnits
-from asymptotics.identification.telling.verdicts import IDENTIFIED, Verdict
-from tests.identification.small_laws import BELOW, fit, law
+from tests.decays.identification.small_laws import BELOW, fit, law
 
 N = np.arange(20)
 RUN = Observations.of(N, (-0.9) ** N, 1.0 * N, unit="m", name="run", notes=("read",))
@@ -165,7 +165,7 @@ def test_printed_decrements_without_resolutions_are_samples(parts, monkeypatch):
 
 
 def test_printed_decrements_with_resolutions_are_sets(parts, monkeypatch):
-    from asymptotics.identification.telling import certified_answer  # noqa: PLC0415 (patched where it is imported late)
+    from asymptotics.decays.identification.telling import certified_answer  # noqa: PLC0415 (patched where it is imported late)
 
     monkeypatch.setattr(certified_answer, "certified", lambda *given: given)
     given = table(np.array([0.01, 0.01]))

@@ -4,18 +4,18 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from asymptotics.decays.identification.fitting.in_time import Time
 
-from asymptotics.identification.fitting.in_time import Time
-from asymptotics.identification.fitting.profile import Interval
-from asymptotics.identification.forward.candidates import read_candidate as read
-from asymptotics.identification.judging import judgement
-from asymptotics.identification.judging.contradiction import Contradiction
-from asymptotics.identification.judging.judgement import judged
-from asymptotics.identification.judging.laws import UNTRIED, Fitted
-from asymptotics.identification.judging.single_fits import fit_law
-from asymptotics.identification.measuring.observations import Observations, Samples
-from tests.identification import small_laws
-from tests.identification.small_laws import BELOW, fit
+from asymptotics.decays.identification.fitting.profile import Interval
+from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.judging import judgement
+from asymptotics.decays.identification.judging.contradiction import Contradiction
+from asymptotics.decays.identification.judging.judgement import judged
+from asymptotics.decays.identification.judging.laws import UNTRIED, Fitted
+from asymptotics.decays.identification.judging.single_fits import fit_law
+from asymptotics.decays.identification.measuring.observations import Observations, Samples
+from tests.decays.identification import small_laws
+from tests.decays.identification.small_laws import BELOW, fit
 
 
 def test_a_contradiction_is_asked_with_the_stretch_of_the_other_and_the_share_of_the_law(monkeypatch):

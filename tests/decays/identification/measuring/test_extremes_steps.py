@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from asymptotics.decays.identification.measuring import extraction
+from asymptotics.decays.identification.measuring.extraction import _assembled, _half_width, _Points, _points
+from asymptotics.decays.identification.measuring.extraction import observations_of_record as observed
 from asymptotics.errors import InputError
-from asymptotics.identification.measuring import extraction
-from asymptotics.identification.measuring.extraction import _assembled, _half_width, _Points, _points
-from asymptotics.identification.measuring.extraction import observations_of_record as observed
 
 
 @pytest.mark.parametrize(

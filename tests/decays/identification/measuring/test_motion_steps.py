@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
+from asymptotics.decays.identification import sources
+from asymptotics.decays.identification.measuring import sampled
+from asymptotics.decays.identification.measuring.at_rest import moving
+from asymptotics.decays.identification.measuring.observations import Observations, Samples
+from asymptotics.decays.identification.measuring.sampled import _begins_late, observations_of_motion
+from asymptotics.decays.records.rows import RowPlaces
+from asymptotics.decays.records.table import RecordTable
 from asymptotics.errors import InputError
-from asymptotics.identification import sources
-from asymptotics.identification.measuring import sampled
-from asymptotics.identification.measuring.at_rest import moving
-from asymptotics.identification.measuring.observations import Observations, Samples
-from asymptotics.identification.measuring.sampled import _begins_late, observations_of_motion
-from asymptotics.records.rows import RowPlaces
-from asymptotics.records.table import RecordTable
 
 T = np.arange(0, 60, 0.3)
 

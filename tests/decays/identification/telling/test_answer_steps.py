@@ -5,17 +5,17 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from asymptotics.decays.identification.fitting.printed import Decrements
+from asymptotics.decays.identification.fitting.profile import Interval
+from asymptotics.decays.identification.judging.allowance import Allowance
+from asymptotics.decays.identification.judging.laws import UNTRIED
+from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.telling import html_report as report
+from asymptotics.decays.identification.telling import result
+from asymptotics.decays.identification.telling.result import Identification, LawAnswer, RecordUnits
+from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, Verdict
 from asymptotics.errors import InputError
-from asymptotics.identification.fitting.printed import Decrements
-from asymptotics.identification.fitting.profile import Interval
-from asymptotics.identification.judging.allowance import Allowance
-from asymptotics.identification.judging.laws import UNTRIED
-from asymptotics.identification.measuring.observations import Observations
-from asymptotics.identification.telling import html_report as report
-from asymptotics.identification.telling import result
-from asymptotics.identification.telling.result import Identification, LawAnswer, RecordUnits
-from asymptotics.identification.telling.verdicts import IDENTIFIED, Verdict
-from tests.identification.small_laws import SURE, fit, law
+from tests.decays.identification.small_laws import SURE, fit, law
 
 SEEN = Observations.of([0, 1, 2], [0.5, -0.4, 0.32], [0.0, 1.0, 2.0], unit="mm", name="a <run>")
 FIT = fit(2.0, bic=1.0)

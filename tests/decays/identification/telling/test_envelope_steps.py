@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.stats import t as student
 
-from asymptotics.identification.measuring.observations import Observations, Samples
-from asymptotics.identification.telling import envelope as module
-from asymptotics.identification.telling.envelope import Envelope, envelope
+from asymptotics.decays.identification.measuring.observations import Observations, Samples
+from asymptotics.decays.identification.telling import envelope as module
+from asymptotics.decays.identification.telling.envelope import Envelope, envelope
 
 N = np.arange(40)
 

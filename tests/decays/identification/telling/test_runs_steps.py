@@ -7,14 +7,14 @@ import pytest
 from scipy.stats import chi2, norm
 from scipy.stats import t as student
 
-from asymptotics.identification.fitting.profile import Interval
-from asymptotics.identification.forward.candidates import read_candidate as read
-from asymptotics.identification.judging.allowance import Allowance
-from asymptotics.identification.judging.contradiction import REFUTED, Contradiction
-from asymptotics.identification.telling import runs
-from asymptotics.identification.telling.runs import common, mean_of_runs, verdict_of_runs
-from asymptotics.identification.telling.verdicts import IDENTIFIED, NONE, SEVERAL, UNDECIDED, UNTOLD, Verdict
-from tests.identification.small_laws import BELOW, SURE, fit, law
+from asymptotics.decays.identification.fitting.profile import Interval
+from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.judging.allowance import Allowance
+from asymptotics.decays.identification.judging.contradiction import REFUTED, Contradiction
+from asymptotics.decays.identification.telling import runs
+from asymptotics.decays.identification.telling.runs import common, mean_of_runs, verdict_of_runs
+from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, NONE, SEVERAL, UNDECIDED, UNTOLD, Verdict
+from tests.decays.identification.small_laws import BELOW, SURE, fit, law
 
 
 def test_runs_that_agree_have_the_error_within_them():
