@@ -33,7 +33,7 @@ matrix:
 
 # Every named table at 30 digits, with its provenance: build/tables/index.md says what there is.
 tables: $(VENV)/.reproduce
-	$(RUN) asymptotics.cli.standard_tables build/tables
+	$(RUN) asymptotics.shell.standard_tables build/tables
 
 lint: $(VENV)/.test
 	$(RUN) ruff check .

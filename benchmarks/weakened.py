@@ -120,16 +120,28 @@ def main(argv: list[str] | None = None) -> int:
     if options.search:
         return search([site for site in unanswered() if not parts or any(part in site.file for part in parts)])
     chosen = [w for w in (*listed(), *answered()) if not parts or any(part in w.file for part in parts)]
-    outcomes = list(zip(chosen, outcomes_of(chosen, options.processes), strict=True))
+    before = os.times()
+    found, read = outcomes_of(chosen, options.processes)
+    outcomes = list(zip(chosen, found, strict=True))
     print(table(outcomes).text())
+    print(how_long(before, os.times(), len(chosen), read, options.processes))
     alive = [w for w, outcome in outcomes if outcome == "survived"]
     for w in alive:
         print(f"\n{w.file}: {w.bound}\n  - {w.line}\n  + {w.weaker}", file=sys.stderr)
     return int(bool(alive))
 
 
-def outcomes_of(chosen: Sequence[Weakened | Answered], processes: int) -> list[str]:
-    """The outcome of each, with a copy of the project for each process; those written down before are read."""
+def how_long(before: os.times_result, after: os.times_result, bounds: int, read: int, processes: int) -> str:
+    """The wall time of the run and the processor time of its tests; what an earlier run wrote down took none of it."""
+    wall = after.elapsed - before.elapsed
+    used = after.children_user + after.children_system - before.children_user - before.children_system
+    seconds = f"{wall:,.0f} s of wall time, {used:,.0f} s of processor time"
+    earlier = f"; {read:,} of them were written down by an earlier run" if read else ""
+    return f"{bounds:,} bounds, {processes} at once: {seconds}{earlier}"
+
+
+def outcomes_of(chosen: Sequence[Weakened | Answered], processes: int) -> tuple[list[str], int]:
+    """The outcome of each, with a copy of the project for each process, and how many were written down before."""
     folders: Queue[Path] = Queue()
     for number in range(processes):
         folders.put(copy_of_the_project(BUILD / str(number)))
@@ -149,7 +161,8 @@ def outcomes_of(chosen: Sequence[Weakened | Answered], processes: int) -> list[s
         return found
 
     with ThreadPoolExecutor(processes) as pool:
-        return list(tqdm(pool.map(outcome, chosen), total=len(chosen), unit="bound", disable=None))
+        found = list(tqdm(pool.map(outcome, chosen), total=len(chosen), unit="bound", disable=None))
+    return found, sum(w.key in written for w in chosen)
 
 
 def state_of_the_project(folder: Path) -> str:

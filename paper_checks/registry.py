@@ -45,7 +45,8 @@ Check = Callable[[Any], Outcome]
 
 PAPERS = {
     "lancaster2020": (
-        "J. L. Lancaster, Slow-dissipation limit of the harmonic oscillator with general power-law damping (2020)",
+        "J. L. Lancaster, Slow-dissipation limit of the harmonic oscillator with general power-law damping,"
+        " Am. J. Phys. 88, 1151 (2020)",
         (),
     ),
     "lelas2024": ("K. Lelas, Decay of amplitude of a harmonic oscillator with weak nonlinear damping (2024)", ()),

@@ -21,7 +21,6 @@ from fractions import Fraction
 from flint import arb
 
 from asymptotics.bounds.late import late_state
-from asymptotics.budget import DEFAULT_SECONDS, budget
 from asymptotics.errors import LimitError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
@@ -36,6 +35,7 @@ from asymptotics.numbers.exact import ExactReal, parse_printed
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.rationals import bounds
 from asymptotics.return_map.panels import panels_of
+from asymptotics.running.budget import DEFAULT_SECONDS, budget
 
 # Up to there half-swings are followed, some tens of microseconds each by interpolation; the jump costs the coefficients
 # of its order once.

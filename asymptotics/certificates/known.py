@@ -11,7 +11,6 @@ from fractions import Fraction
 
 from flint import arb
 
-from asymptotics.budget import seconds_left
 from asymptotics.certificates.layout import Landing, landing
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Oscillator
@@ -19,6 +18,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.digits import ball_of
 from asymptotics.numbers.exact import ExactReal, square_root
+from asymptotics.running.budget import seconds_left
 from asymptotics.turning.choose import turning_points
 
 

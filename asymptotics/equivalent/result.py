@@ -23,7 +23,7 @@ from asymptotics.numbers.rationals import decimal_fraction
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.inputs import csv_text
 from asymptotics.present.shown import Page, Rows
-from asymptotics.public import public
+from asymptotics.running.public import public
 
 UNITS = {"amplitude": "m", "energy_loss": "J", "c_eq": "N s/m", "half_life": "s"}
 ANGULAR = {**UNITS, "amplitude": "rad", "c_eq": "N m s"}

@@ -8,8 +8,8 @@ from collections.abc import Callable
 
 from flint import acb, arb
 
-from asymptotics.budget import tick
 from asymptotics.numbers.context import ctx
+from asymptotics.running.budget import tick
 
 EVALUATIONS_PER_BIT = 200
 """A hundred times what envelopes need: FLINT goes on to this limit after an error in the integrand."""

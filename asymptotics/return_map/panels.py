@@ -25,7 +25,6 @@ from typing import Protocol
 
 from flint import arb
 
-from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear import is_linear
@@ -47,6 +46,7 @@ from asymptotics.return_map.panel_plan import (
     verified,
 )
 from asymptotics.return_map.ray import Ray, ray_of
+from asymptotics.running.budget import tick
 
 COLLOCATED = "quarter-swings by collocation"
 # Bits for the nodes and coefficients beyond the panel's, and of the panel beyond those asked for: a value read off it

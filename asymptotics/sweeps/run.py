@@ -33,7 +33,7 @@ from asymptotics.made_by import mark
 from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
-from asymptotics.public import public_beside_others
+from asymptotics.running.public import public_beside_others
 from asymptotics.sweeps.callers import caller_mark
 from asymptotics.sweeps.frame import columns, draw
 from asymptotics.sweeps.grid import Point

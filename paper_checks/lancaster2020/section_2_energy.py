@@ -134,21 +134,6 @@ def energy_with_amplitude(form: sympy.Expr) -> Outcome:
 
 
 @statement(
-    id="lancaster2020:claim.slow-dissipation", kind=Kind.DEFINITION, verdict=Printed.TRANSCRIPTION,
-    evidence=Evidence.PROVED, title="The limit of slow dissipation (above (9))",
-    latex=r"\text{the limit of slow dissipation } (A \ll \omega_0 A)",
-    corrected_latex=r"|\dot{A}| \ll \omega_0 A", printed=A, corrected=rate, near_miss=sympy.diff(A, t, 2),
-    conditions="none", methods=("dimension",),
-    note="The dot was lost; it stands where the limit is introduced, below (5). There the modulus is missing, since A'"
-    " is negative; (14) has it. Form: the left side.",
-)
-def slow_dissipation(form: sympy.Expr) -> Outcome:
-    """Both sides must have the dimension of a velocity: each time derivative divides by a time."""
-    derivatives = form.derivative_count if isinstance(form, sympy.Derivative) else 0
-    return decided(form.has(A) and derivatives == 1)
-
-
-@statement(
     id="lancaster2020:claim.slow-timescale", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
     shortfall=Shortfall.CONSEQUENCE,
     title="Slow dissipation means slow against the period (below (5))",
@@ -242,6 +227,21 @@ def amplitude_equation(form: sympy.Expr) -> Outcome:
 def dissipation(form: sympy.Expr) -> Outcome:
     """-b x' |x'|^(alpha-1) x' for x' = v and x' = -v."""
     return all_confirmed(*(zero(-b * (s * v) * v ** (alpha - 1) * (s * v) - form) for s in (1, -1)))
+
+
+@statement(
+    id="lancaster2020:claim.slow-dissipation", kind=Kind.DEFINITION, verdict=Printed.TRANSCRIPTION,
+    evidence=Evidence.PROVED, title="The limit of slow dissipation (above (9))",
+    latex=r"\text{the limit of slow dissipation } (A \ll \omega_0 A)",
+    corrected_latex=r"|\dot{A}| \ll \omega_0 A", printed=A, corrected=rate, near_miss=sympy.diff(A, t, 2),
+    conditions="none", methods=("dimension",),
+    note="The dot was lost; it stands where the limit is introduced, below (5). There the modulus is missing, since A'"
+    " is negative; (14) has it. Form: the left side.",
+)
+def slow_dissipation(form: sympy.Expr) -> Outcome:
+    """Both sides must have the dimension of a velocity: each time derivative divides by a time."""
+    derivatives = form.derivative_count if isinstance(form, sympy.Derivative) else 0
+    return decided(form.has(A) and derivatives == 1)
 
 
 @statement(

@@ -173,14 +173,6 @@ def constant_rate(form: sympy.Expr) -> Outcome:
     near_miss=-STRENGTH / 2 * t, conditions="none", methods=("differentiated",), derivation="lelas-friction",
     note="A fraction with a root was read twice; the same garble stands in |f'| before (33).",
 )
-@statement(
-    id="lelas2024:claim.slope-of-line", kind=Kind.CLAIM, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
-    title="The slope of (32), for all t", latex=r"|\dot f(t)| = \frac{\mu g}{\sqrt{2}}\frac{\mu g}{2\omega_0x_0}",
-    corrected_latex=r"|\dot f(t)| = \frac{\mu g}{\sqrt{2}\,\omega_0x_0}",
-    printed=-mu * g / root2 * mu * g / (2 * w0 * x0) * t, corrected=-STRENGTH / root2 * t,
-    near_miss=-STRENGTH / 2 * t, conditions="none", methods=("(32) differentiated",), derivation="lelas-friction",
-    note="As in the solution of (31), a fraction was read twice. Form: minus the slope, times t.",
-)
 def integrated_rate(form: sympy.Expr) -> Outcome:
     """The derivative is (31)."""
     return same(sympy.diff(form, t), -STRENGTH / root2)
@@ -197,6 +189,19 @@ def linear_decay(form: sympy.Expr) -> Outcome:
     """f' is (31), f(0) = 1; the amplitude error at half amplitude has order 0."""
     solves = same(sympy.diff(form, t), -STRENGTH / root2)
     return all_confirmed(solves, same(form.subs(t, 0), sympy.Integer(1)), constant_rate(sympy.diff(form, t)))
+
+
+@statement(
+    id="lelas2024:claim.slope-of-line", kind=Kind.CLAIM, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
+    title="The slope of (32), for all t", latex=r"|\dot f(t)| = \frac{\mu g}{\sqrt{2}}\frac{\mu g}{2\omega_0x_0}",
+    corrected_latex=r"|\dot f(t)| = \frac{\mu g}{\sqrt{2}\,\omega_0x_0}",
+    printed=-mu * g / root2 * mu * g / (2 * w0 * x0) * t, corrected=-STRENGTH / root2 * t,
+    near_miss=-STRENGTH / 2 * t, conditions="none", methods=("(32) differentiated",), derivation="lelas-friction",
+    note="As in the solution of (31), a fraction was read twice. Form: minus the slope, times t.",
+)
+def slope_of_line(form: sympy.Expr) -> Outcome:
+    """The derivative is (31), for the same garble as above."""
+    return integrated_rate(form)
 
 
 @statement(

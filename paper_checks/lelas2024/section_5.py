@@ -73,6 +73,21 @@ def with_numbers(form: sympy.Expr, friction: Fraction) -> arb:
 
 
 @statement(
+    id="lelas2024:claim.force-of-47", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.MEASURED,
+    extent="read off the text",
+    title="The force to which (47) belongs", printed=2, corrected=3, near_miss=5,
+    latex=r"\text{our approximate solution of equation (1), with damping force (2), is (47)}",
+    corrected_latex=r"\text{our approximate solution of equation (1), with damping force (3), is (47)}",
+    conditions="none", methods=("the letters of (47) are those of the force",),
+    note="(2) is viscous damping, (3) sliding friction: a wrong cross-reference, whose link goes to (2) as well, so a"
+    " slip of the paper. Form: the number of the equation of the force.",
+)
+def force_of_motion(law: int) -> Outcome:
+    """The decay of (47) depends on mu and g, as the force must."""
+    return decided(read_off({mu, g}) <= LAWS[law].free_symbols)
+
+
+@statement(
     id="lelas2024:47", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.MEASURED, order="0",
     extent="sampled: 2 points",
     title="The approximate motion with friction", derivation="lelas-friction",
@@ -86,21 +101,6 @@ def our_motion(form: sympy.Expr) -> Outcome:
     """(8) with (32); the order of the error is 0."""
     inserted = same(form, X1.subs(f, FRICTION_LINE))
     return all_confirmed(inserted, has_order(0, slow_error(form, mu, coulomb)))
-
-
-@statement(
-    id="lelas2024:claim.force-of-47", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.MEASURED,
-    extent="read off the text",
-    title="The force to which (47) belongs", printed=2, corrected=3, near_miss=5,
-    latex=r"\text{our approximate solution of equation (1), with damping force (2), is (47)}",
-    corrected_latex=r"\text{our approximate solution of equation (1), with damping force (3), is (47)}",
-    conditions="none", methods=("the letters of (47) are those of the force",),
-    note="(2) is viscous damping, (3) sliding friction: a wrong cross-reference, whose link goes to (2) as well, so a"
-    " slip of the paper. Form: the number of the equation of the force.",
-)
-def force_of_motion(law: int) -> Outcome:
-    """The decay of (47) depends on mu and g, as the force must."""
-    return decided(read_off({mu, g}) <= LAWS[law].free_symbols)
 
 
 @statement(

@@ -292,9 +292,11 @@ def dimensionless_constants(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     latex=r"\text{this one is problematic because it cannot be solved in terms of elementary functions}",
     printed=None, near_miss=sympy.cos(TAU), conditions="x(t) on a half-cycle, from general initial values",
     methods=("substitution of what is proposed",),
-    note="Open: that no elementary x(t) exists is believed, and proved nowhere in the paper; a proof would need"
-    " Liouville's theory for the integral (54). One motion is elementary, u = tau^2/4 - 1/2 with S = 0, which has no"
-    " turning point before it. Form: an expression u(tau) proposed as the motion, None if there is said to be none.",
+    note="Open: one half of it, x(t). The other is closed: t(x), the integral (54), is not elementary unless S = 0, by"
+    " Liouville's theorem (line 20 of the derivation, see claim.not-in-tables): no elementary function of the position"
+    " gives the time. That its inverse x(t) is not elementary either is believed, and proved neither in the paper nor"
+    " here. One motion is elementary, u = tau^2/4 - 1/2 with S = 0, which has no turning point before it. Form: an"
+    " expression u(tau) proposed as the motion, None if there is said to be none.",
 )
 def not_elementary(form: sympy.Expr | None) -> Outcome:
     """u'' = u'^2 - u for an expression; nothing is decided about all expressions."""

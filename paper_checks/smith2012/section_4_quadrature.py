@@ -6,7 +6,7 @@ with a = gamma v^2 - omega^2 x.
 
 import sympy
 
-from paper_checks.identities import all_confirmed, same, vanishes
+from paper_checks.identities import all_confirmed, decided, opposite, same, vanishes
 from paper_checks.registry import statement
 from paper_checks.smith2012.model import (
     FALLING_FORCE,
@@ -74,19 +74,24 @@ def quadrature(form: sympy.Expr) -> Outcome:
 
 
 @statement(
-    id="smith2012:claim.not-in-tables", kind=Kind.CLAIM, verdict=Printed.OPEN, evidence=Evidence.NONE,
-    derivation="smith-not-elementary",
+    id="smith2012:claim.not-in-tables", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    derivation="smith-not-elementary", line=21,
     title="The integral (54) is not found in standard tables",
     latex=r"\text{Eq. (54) is not found in standard tables of integrals}",
-    printed=1 / sqrt(2 * E * exp(2 * x) + x + HALF), near_miss=1 / sqrt(x + HALF),
-    conditions="none", methods=("SymPy's own integrator, which finds the near miss",),
-    note="Open: the paper names no table. SymPy finds no antiderivative, which proves nothing; see"
-    " claim.not-elementary. Near miss: E = 0, which every table has. Form: the integrand with gamma = omega = 1.",
+    printed=1 / sqrt(RADICAND), near_miss=1 / sqrt(RADICAND.subs(E, 0)),
+    conditions="E_n != 0, as between two turning points; tables of elementary integrals",
+    methods=("rescaled to the integral of the derivation, which is not elementary", "a primitive, differentiated"),
+    note="(54) as corrected. By Liouville's theorem no table of elementary integrals has it; what tables of special"
+    " functions have is not said. Near miss: E = 0, which every table has. Form: the integrand.",
 )
 def not_in_tables(form: sympy.Expr) -> Outcome:
-    """REFUTED if an antiderivative is found in closed form, else UNDECIDED."""
-    found = sympy.integrate(form, x)
-    return Outcome.UNDECIDED if found.has(sympy.Integral) else Outcome.REFUTED
+    """REFUTED if SymPy finds a primitive; else the integrand of the derivation at u = gamma x, with k != 0."""
+    found = None if form.has(exp) else sympy.integrate(form, x)  # it finds nothing with e^(2x) under the root
+    if found is not None and not found.has(sympy.Integral):
+        return opposite(vanishes(sympy.diff(found, x) - form))
+    k = -2 * E * gamma**2 / omega**2
+    derived = omega**2 / gamma**2 * (gamma * x + HALF - k * exp(2 * gamma * x))
+    return all_confirmed(same(form * sqrt(derived), sympy.Integer(1)), decided(k.is_nonzero))
 
 
 @statement(

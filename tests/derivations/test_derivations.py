@@ -86,7 +86,7 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("stokes_small_alpha", "{rho: -2 * (ln(2 * a) - 1)", "{rho: -2 * (ln(a) - 1)"),
     ("smith_not_elementary", "(y - u / y) * Derivative(f, y)", "(y + u / y) * Derivative(f, y)"),
     ("smith_not_elementary", "exp(2 * j * u) * inside**-j", "exp(2 * j * u) * inside**j"),
-    ("smith_not_elementary", "k: -2 * E}", "k: 2 * E}"),
+    ("smith_not_elementary", "k: -2 * E * gamma**2", "k: 2 * E * gamma**2"),
     ("smith_matching", "r_next * (exp(2 * r_next) - exp", "2 * r_next * (exp(2 * r_next) - exp"),
     ("smith_quadrature", "+ 4 * omega**2 * E", "+ 3 * omega**2 * E"),
     ("smith_quadrature", "V / 2 - omega**2 / (2 * gamma)", "V / 2 - omega**2 / (4 * gamma)"),

@@ -2,6 +2,7 @@
 
 import ast
 import json
+import os
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,7 +14,7 @@ from benchmarks.bound_sites import sites
 from tests.ladders.walk import ROOT, trees
 
 ROOMS = {
-    "bounds", "comparison", "envelopes", "equivalent", "expansions", "flow", "identification", "limit_cycles",
+    "bounds", "decays", "envelopes", "equivalent", "expansions", "flow", "limit_cycles",
     "motions", "numbers", "return_map", "turning",
 }  # fmt: skip
 
@@ -75,7 +76,7 @@ NO_BOUND = {
     "bounds.local._sharp": "asks whether radii are small enough",
     "expansions.half_swings.finite_majorant._seems_to_exist": "balls as a key of a cache; the answer is in floats",
     "expansions.half_swings.nodes._lost": "how wide the balls are; wider than wanted, they are made again",
-    "identification.certified_sets.set_valued._searched": "boxes of doubles, searched; table_rows claims",
+    "decays.identification.certified_sets.set_valued._searched": "boxes of doubles, searched; table_rows claims",
     "motions.formal_forces.FormalForces.__init__": "a union of sets",
     "motions.reference._within": "asks whether a radius is small enough",
     "numbers.alike.key": "a ball as a key: which results are equal",
@@ -164,3 +165,10 @@ def test_no_new_place_of_a_bound_is_left_unanswered():
         if answer.test.startswith("tests/"):
             file, name = answer.test.split("::")
             assert f"def {name}(" in (ROOT / file).read_text(), answer
+
+
+def test_the_wall_time_is_told_beside_that_of_the_tests():
+    before, after = os.times_result((1.0, 1.0, 10.0, 2.0, 100.0)), os.times_result((5.0, 5.0, 40.0, 4.0, 1334.0))
+    told = weakened.how_long(before, after, 1006, 0, 2)
+    assert told == "1,006 bounds, 2 at once: 1,234 s of wall time, 32 s of processor time"
+    assert "; 30 of them were written down by an earlier run" in weakened.how_long(before, after, 1006, 30, 2)

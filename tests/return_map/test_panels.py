@@ -5,7 +5,6 @@ import random
 import pytest
 from flint import arb, ctx
 
-from asymptotics.budget import budget
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.law import Law
@@ -16,6 +15,7 @@ from asymptotics.return_map.half_swing_map import ROUTE, integrated
 from asymptotics.return_map.panel_plan import PanelPlan, between, from_zero, verified
 from asymptotics.return_map.panels import Panels, ReturnMap, laid_out, map_of, panels_of
 from asymptotics.return_map.ray import ray_of
+from asymptotics.running.budget import budget
 from asymptotics.turning.choose import turning_points
 from tests.return_map.laws import LAWS, by_pieces, coordinate
 
