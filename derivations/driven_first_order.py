@@ -68,7 +68,7 @@ step(
 step(
     "Half the power: at A/sqrt(2) R = r A^alpha is f 2^(-alpha/2), f = r A^alpha, and 2 (k - m Omega^2)^2/A^2 is the"
     " square of",
-    sympy.sqrt(2 * (f**2 - (f * 2 ** (-alpha / 2)) ** 2)) / A,
+    At(sympy.sqrt(2 * (f**2 - R**2)) / A, {R: f * 2 ** (-alpha / 2)}),
     f * sympy.sqrt(2 - 2 * 2 ** (-alpha)) / A,
 )
 step(

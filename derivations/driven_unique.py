@@ -79,9 +79,9 @@ asserts(
 )
 step(
     "The turning difference D_0 sin(nu theta + phi) has int a sin^2 >= (I - |int a e^(2 i nu theta)|)/2 = lambda, for"
-    " any a that is no larger than the true one, I its integral, as",
-    sympy.sin(theta + phi) ** 2,
-    (1 - sympy.cos(2 * theta + 2 * phi)) / 2,
+    " any a that is no larger than the true one, I its integral, as sin^2 = (1 - cos 2)/2; for a = 1 from 0 to T",
+    sympy.Integral(sympy.sin(theta + phi) ** 2, (theta, 0, T)),
+    (T - (sympy.sin(2 * T + 2 * phi) - sympy.sin(2 * phi)) / 2) / 2,
 )
 step(
     "Minkowski: sqrt(lambda) D_0 <= sqrt(Delta) + sqrt(I) sqrt(G Delta) = (1 + s) sqrt(Delta), s = sqrt(I G): D_1^2 is"

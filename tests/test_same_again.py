@@ -62,6 +62,7 @@ MADE = {
                  lambda: asy.solution("symbolic"), lambda: asy.solution({1: "1/10"}), lambda: asy.solution(STARTED),
                  lambda: asy.solution({2: "1/10"}).at(1), lambda: asy.solution({0: "1/50", 2: "1/10"})],
     "statements": [lambda: asy.statements("smith2012")],
+    "response": [lambda: asy.response({2: "1/10"}, "1/5", 1, digits=8)],
     "stokes": [lambda: asy.stokes(2)],
     "sweep": [],
     "table": [lambda: asy.table("smith2012.table1", digits=8)],

@@ -17,6 +17,7 @@ from asymptotics.driven import first_order, linear
 from asymptotics.driven.drive import Drive
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.present.shown import Page, Shown
 from asymptotics.running.budget import tick
 
 MAX_BITS = 1 << 12
@@ -24,8 +25,8 @@ MAX_BITS = 1 << 12
 Value = arb | ExactReal
 
 
-@dataclass(frozen=True)
-class FirstOrder:
+@dataclass(frozen=True, repr=False)
+class FirstOrder(Shown):
     """x = amplitude cos(theta - phase) to first order, and what belongs to it; every number is that of the formula.
 
     ``c_eq``: the viscous damping that takes the same; ``resonance``: the amplitude at omega_0, and Q there of the decay
@@ -42,6 +43,13 @@ class FirstOrder:
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready."""
         return dict(vars(self))
+
+    def _page(self) -> Page:
+        rows = [("amplitude", self.amplitude), ("phase", self.phase), ("c_eq", self.c_eq)]
+        rows += [(f"{name} at omega_0", value) for name, value in (self.resonance or {}).items()]
+        rows += [(f"{name} of the peak", value) for name, value in (self.peak or {}).items()]
+        title = f"first order: x = {self.amplitude} cos(Omega t - {self.phase})"
+        return Page(title, ("digits of the formula, correctly rounded",), ("", "value"), tuple(rows))
 
 
 def first_order_of(drive: Drive, digits: int) -> FirstOrder:

@@ -18,7 +18,9 @@ from asymptotics.driven.first_numbers import MAX_BITS, FirstOrder, Value, first_
 from asymptotics.driven.orbit import orbit
 from asymptotics.driven.shown import ResponsePage
 from asymptotics.errors import LimitError
+from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 
 MAX_DIGITS = 200
@@ -34,7 +36,9 @@ class Response(ResponsePage):
     Not ``certified``: these are None, and ``notes`` say why; the first order is there.
     """
 
-    drive: Drive
+    oscillator: Oscillator
+    force: ExactReal
+    omega: ExactReal
     digits: int
     first_order: FirstOrder
     amplitude: str | None = None
@@ -50,9 +54,9 @@ class Response(ResponsePage):
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: the contract of ``asymptotics response --json``."""
         names = ("amplitude", "x0", "v0", "phase", "energy", "harmonics")
-        law = self.drive.oscillator.law
+        law = self.oscillator.law
         return {
-            "law": str(law), "force": str(self.drive.force), "omega": str(self.drive.omega),
+            "law": str(law), "force": str(self.force), "omega": str(self.omega),
             **{name: getattr(self, name) for name in names}, "first_order": self.first_order.to_dict(),
             "digits": self.digits, "certified": self.certified, "method": self.method, "notes": list(self.notes),
         }  # fmt: skip
@@ -61,19 +65,20 @@ class Response(ResponsePage):
 def respond(drive: Drive, digits: int) -> Response:
     """First order, and the response itself where it is served: every exponent 1 or more, one turn in half a period."""
     first, notes = first_order_of(drive, digits), drive.oscillator.notes
+    asked = (drive.oscillator, drive.force, drive.omega, digits, first)
     if linear.is_linear(drive):
-        return Response(drive, digits, first, **_linear(drive, digits), notes=notes)
+        return Response(*asked, **_linear(drive, digits), notes=notes)
     if any(a < 1 for a in drive.alphas):
         reason = "the response itself is proved for exponents from 1 on: this law is served to first order alone"
-        return Response(drive, digits, first, notes=(*notes, reason))
+        return Response(*asked, notes=(*notes, reason))
     try:
         told = at_growing_precision(lambda _: _orbit(drive, digits), digits, bits_for(digits, 48), max_bits=MAX_BITS)
     except LimitError as error:
         # The time of the request is no property of the response.
         if error.argument == "max_seconds":
             raise
-        return Response(drive, digits, first, notes=(*notes, f"first order alone: {error.reason}"))
-    return Response(drive, digits, first, **told, notes=notes)
+        return Response(*asked, notes=(*notes, f"first order alone: {error.reason}"))
+    return Response(*asked, **told, notes=notes)
 
 
 def _linear(drive: Drive, digits: int) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from flint import arb
 from asymptotics.driven import first_order
 from asymptotics.driven.drive import Drive
 from asymptotics.driven.first_numbers import FirstOrder
+from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.present.drawn import Drawn
@@ -19,7 +20,9 @@ _CURVE, _LOW = 120, 53  # points of a curve, and their bits
 class ResponsePage(Drawn):
     """What is shown of a ``result.Response``."""
 
-    drive: Drive
+    oscillator: Oscillator
+    force: ExactReal
+    omega: ExactReal
     first_order: FirstOrder
     amplitude: str | None
     x0: str | None
@@ -56,10 +59,9 @@ class ResponsePage(Drawn):
         return rf"x \approx {A} \cos(\Omega t - {lag})"
 
     def _heading(self) -> str:
-        oscillator = self.drive.oscillator
-        left = str(oscillator).partition(" = 0, x(0)")[0]
-        omega = "t" if self.drive.omega == 1 else f"{self.drive.omega} t"
-        return f"{left} = {self.drive.force} cos({omega})"
+        left = str(self.oscillator).partition(" = 0, x(0)")[0]
+        omega = "t" if self.omega == 1 else f"{self.omega} t"
+        return f"{left} = {self.force} cos({omega})"
 
     def __str__(self) -> str:
         rows = [("", "response", "first order"), *self.rows()]
@@ -80,11 +82,12 @@ class ResponsePage(Drawn):
 
     def _curve(self, axes: Any, **style: Any) -> None:
         """The amplitude of first order against Omega, and that of the response where it was asked."""
+        drive = Drive(self.oscillator, self.force, self.omega)
         with ctx.workprec(_LOW):
-            middle, here = self.drive.oscillator.omega_0(), self.drive.omega.ball()
+            middle, here = self.oscillator.omega_0(), self.omega.ball()
             low, high = min(middle, here) / 2, max(middle, here) * 3 / 2
             places = [float((low + (high - low) * n / _CURVE).mid()) for n in range(_CURVE + 1)]
-            curve = [float(_amplitude(self.drive, omega).mid()) for omega in places]
+            curve = [float(_amplitude(drive, omega).mid()) for omega in places]
         axes.plot(places, curve, **{"label": "first order", **style})
         if self.amplitude is not None:
             label = "the response, certified"

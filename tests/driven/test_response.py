@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import pytest
 from flint import arb
@@ -10,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 import asymptotics as asy
-from asymptotics.driven import contraction, linear, trial
+from asymptotics.driven import contraction, first_order, linear, trial
 from asymptotics.driven.drive import Drive
 from asymptotics.driven.orbit import orbit
 from asymptotics.errors import UndecidedError
@@ -84,6 +85,24 @@ def test_digits_of_one_precision_hold_at_another():
     assert few.amplitude == str(round(float(many.amplitude), 5)) and len(many.amplitude) == 41
 
 
+def test_every_rung_holds_what_is_above_it():
+    """The orbit and the first order at three precisions: each enclosure has those of more bits inside."""
+    drive = Drive.read(Oscillator({"3/2": "1/5", 2: "1/10"}), 1, "4/5")
+    rungs = []
+    for bits in (80, 130, 200):
+        with ctx.workprec(bits):
+            own, balls = orbit(drive), drive.balls()
+            waves = [part for n in (1, 3) for part in (own.harmonic(n).real, own.harmonic(n).imag)]
+            A = first_order.amplitude(balls)
+            there = first_order.amplitude(drive.balls_at_resonance())
+            first = [A, first_order.phase(balls, A), first_order.resistance(balls, A), first_order.damping(drive, A)]
+            peak = first_order.peak(drive)
+            rungs.append([*own.state(), own.amplitude(), *waves, *first, *first_order.quality(drive, there), *peak])
+    for low, high in pairwise(rungs):
+        for n, (wide, narrow) in enumerate(zip(low, high, strict=True)):
+            assert wide.contains(narrow) and narrow.rad() < wide.rad(), n
+
+
 def test_energy_is_what_the_losses_take():
     """The work of the force against the mean of b |v|^(alpha+1) over the trial orbit, by quadrature in doubles."""
     found = asy.response({2: "1/4"}, "1/2", 1, digits=12)
@@ -127,7 +146,7 @@ def test_the_defect_of_every_piece_is_bounded(law):
     assert not idle
 
 
-def test_half_of_the_contraction_bound_fails_and_low_precision_is_told():
+def test_the_contraction_is_no_less_than_the_true_one():
     """Where e is large: the distance from the truth is within the bound; a thousandth of it does not hold."""
     drive = Drive.read(Oscillator({1: "1/10"}), "1/5", "7/5")
     with ctx.workprec(120):

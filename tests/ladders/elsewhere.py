@@ -4,6 +4,32 @@ from tests.ladders.register import Names, each
 
 ELSEWHERE: Names = {
     **each(
+        "driven.first_order",
+        "amplitude damping peak phase quality resistance",
+        "tests/driven/test_response.py::test_every_rung_holds_what_is_above_it",
+    ),
+    **each(
+        "driven.orbit",
+        "Orbit.amplitude Orbit.harmonic Orbit.state orbit",
+        "tests/driven/test_response.py::test_every_rung_holds_what_is_above_it",
+    ),
+    **each(
+        "driven.linear",
+        "coefficient exact",
+        "tests/driven/test_response.py::test_the_orbit_in_balls_is_the_closed_form_of_viscous_damping",
+    ),
+    **each(
+        "driven.expansion",
+        "Piece.harmonic Piece.state piece",
+        "tests/driven/test_response.py::test_the_defect_of_every_piece_is_bounded",
+    ),
+    **each("driven.trial", "march trial", "tests/driven/test_response.py::test_the_defect_of_every_piece_is_bounded"),
+    **each(
+        "driven.contraction",
+        "factor",
+        "tests/driven/test_response.py::test_the_contraction_is_no_less_than_the_true_one",
+    ),
+    **each(
         "return_map.sequence", "Interpolated.leap following", "tests/return_map/test_panels.py::test_a_ladder_of_panels"
     ),
     **each(

@@ -12,6 +12,7 @@ OTHERS = {
     "bounds/local.py::_half_swing": "three sizes of the bounds beyond the order: the last is taken, sharp or not",
     "bounds/motion.py::proved_bound": "digits of an enclosure that the one loop makes; any of them gives a bound",
     "decays/comparison/truth.py::at_turning_points": "digits beside a tie of what is printed, each by the one loop",
+    "driven/trial.py::trial": "Newton's steps gain bits and start with few: what is left is measured at the end",
     "expansions/half_swings/nodes.py::through": "fewer bits for what is small: nothing is decided",
     "flow/secant.py::secant": "Newton's steps gain bits and start with few: a choice, fully precise in the end",
     "flow/times.py::_speed_at": "Newton's steps gain bits and start with few: a choice, fully precise in the end",

@@ -103,6 +103,8 @@ SAMPLES = {
     "tables.table.Table": "asy.table('smith2012.table1', digits=9)",
     "terms.Term": "osc.law.terms[0]",
     "turning.result.TurningPoint": "asy.turning_points({2: 1}, 3, digits=12, times=True).points[1]",
+    "driven.result.Response": "asy.response({2: '1/10'}, '1/5', 1, digits=8)",
+    "driven.first_numbers.FirstOrder": "asy.response({2: '1/10'}, '1/5', 1, digits=8).first_order",
     "frames.Frame": "points.frame",
     "turning.result.TurningPoints": "points.dimensionless",
     "certificates.certificate.Certificate": "points.certificate()",

@@ -143,6 +143,9 @@ PAIRS = {  # a line of the shell, where its answer is, and the same from Python
     "damping --alpha 2 --epsilon 1/10 --amplitudes 1/2 --digits 6": (
         "rows", lambda: asy.damping({2: "1/10"}, ["1/2"], digits=6).to_dict()["rows"]
     ),
+    "response --alpha 2 --epsilon 1/10 --force 1/5 --omega 1 --digits 6": (
+        "amplitude", lambda: asy.response({2: "1/10"}, "1/5", 1, digits=6).amplitude
+    ),
     "stokes --alpha 2 --digits 6": ("constants", lambda: asy.stokes(2, digits=6).to_dict()["constants"]),
     "smith f --n 7": ("coefficients.0", lambda: str(asy.f(7)[0])),
     "smith g --i 2": ("expression", lambda: asy.G(2).to_dict()["expression"]),

@@ -20,7 +20,8 @@ FILES = {  # what a command needs before it looks at its files; sweep writes not
     "envelope": "--alpha 2 --epsilon 1 --time 1",
     "expand": "--alpha 2", "half-swing": "--alpha 2", "identify": "mine.csv", "limit-cycle": "--law 1:-1 --law 1,2:1",
     "motion": "--alpha 2 --epsilon 1 --time 1", "smith": "f --n 3", "solution": "--alpha 2 --epsilon 1 --time 1",
-    "stokes": "--alpha 2", "sweep": "moment --p 1", "table": "moments",
+    "response": "--alpha 2 --epsilon 1/10 --force 1/5 --omega 1", "stokes": "--alpha 2", "sweep": "moment --p 1",
+    "table": "moments",
     "turning-points": "--alpha 2 --epsilon 1 --count 2",
 }  # fmt: skip
 TAKEN = [

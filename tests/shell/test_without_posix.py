@@ -41,6 +41,7 @@ LINES = {
     "motion": "motion --alpha 2 --epsilon 1/10 --time 3",
     "multiple-scales": "multiple-scales --alpha 3 --order 2",
     "papers": "papers smith2012:48 --check",
+    "response": "response --alpha 2 --epsilon 1/10 --force 1/5 --omega 1 --digits 5",
     "solution": "solution --alpha 2 --order 1",
     "smith": "smith f --n 3",
     "stokes": "stokes --alpha 2 --digits 5",
