@@ -43,7 +43,7 @@ def of_motion(moving: Motion | Reference, found: MotionSamples) -> Errors:
     """Of the columns of samples of a motion."""
     columns = {name: np.ravel(column) for name, column in found.columns().items() if name != "t"}
     if isinstance(moving, Motion):
-        errors = moving.double_errors(np.ravel(found.t))
+        errors = moving._motion.double_errors(np.ravel(found.t))
     else:
         omega, length = (float(b.mid()) for b in (moving.oscillator.omega_0(), moving.oscillator.length()))
         size = {"x": length, "v": length * omega}

@@ -143,10 +143,6 @@ class Motion(Drawn):
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
         return replace(self._motion.sample(times_of(t)), si=self.si)
 
-    def double_errors(self, t: Array) -> dict[str, Array]:
-        """How far the doubles of ``sample`` are from the expansion, by the names of its columns; estimates."""
-        return self._motion.double_errors(t)
-
     @public
     def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
         """The dense solution: array [x, v] at t, as the ``sol`` of SciPy's ``solve_ivp``."""
