@@ -83,7 +83,7 @@ SAMPLES = {
     "decays.identification.judging.allowance.Allowance": "answer.verdict.allowed[0]",
     "decays.identification.fitting.profile.Interval": "answer.law('1').law.epsilon[0]",
     "decays.identification.telling.result.Identification": "answer",
-    "decays.identification.telling.result.LawAnswer": "answer.best",
+    "decays.identification.telling.law_answer.LawAnswer": "answer.best",
     "decays.identification.telling.verdicts.Verdict": "answer.verdict",
     "motions.invariants.symbolic.GeneratingFunction": "asy.G(2)",
     "law.Law": "asy.Law({0: '1/50', 2: '1/10'})",
