@@ -142,7 +142,9 @@ class ExactReal(Shown):
         """The sign of self - other, whatever the two roots."""
         y = _exact(other)
         if y.is_rational:
-            return (self - y).sign
+            # Most numbers that are compared are rational: no difference of them has to be made.
+            a, b = self.coefficient, y.coefficient
+            return (a > b) - (a < b) if self.is_rational else (self - y).sign
         rest = self - y.offset  # against the root of y: by signs, else by squares
         root = _sign(y.coefficient)
         # The signs are -1, 0, 1 and that of y's root is not 0: their difference has the sign of self - other.
