@@ -44,6 +44,7 @@ from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, require_one
 from asymptotics.present.shown import Page
+from asymptotics.running.public import public
 
 u, a_0 = Symbol("u", positive=True), Symbol("a_0", positive=True)
 
@@ -117,18 +118,21 @@ class ImplicitSolution(ProvedCurve):
     def _motion(self) -> AsymptoticMotion:
         return AsymptoticMotion.of(_dimensionless(self.oscillator), self.order, TURNING_POINT)
 
-    def at(self, time: Number, *, digits: int = 30) -> MotionPoint:
+    @public
+    def at(self, time: Number, *, digits: int = 30, max_seconds: Number = 60) -> MotionPoint:
         """A, phi and x at one tau >= 0, in units of x_0, by the numeric inverse; not certified."""
         require_one(time, "time", "sample(times)")
         return self._motion.at(time, digits)
 
-    def at_time(self, oscillator: Oscillator, time: Number, digits: int) -> SolutionPoint:
+    @public
+    def at_time(self, oscillator: Oscillator, time: Number, digits: int, *, max_seconds: Number = 60) -> SolutionPoint:
         """A, phi and x at a time t of the oscillator, in its units."""
         require_oscillator(oscillator)
         found = AsymptoticMotion.of(oscillator, self.order, TURNING_POINT).at(time, digits)
         return SolutionPoint(found.amplitude or "0", found.phase or "0", found.x)
 
-    def sample(self, times: Any) -> tuple[Any, Any, Any]:
+    @public
+    def sample(self, times: Any, *, max_seconds: Number = 60) -> tuple[Any, Any, Any]:
         """(A, phi, x) at an array of tau, in doubles."""
         found = self._motion.sample(times_of(times))
         return found.amplitude, found.phase, found.x

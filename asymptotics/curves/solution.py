@@ -77,6 +77,7 @@ from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_double, exact_integer, exact_number, require_one
 from asymptotics.present.shown import Page
+from asymptotics.running.budget import seconds_left
 from asymptotics.running.public import public
 from asymptotics.series import Key, Series
 from asymptotics.terms import Term
@@ -214,7 +215,8 @@ class Solution(ProvedCurve):
         end = self._put(self.begun((1 - epsilon) / ((1 - self.alpha) * self.p_1 * epsilon)))
         return end if self.alpha.is_number else Piecewise((end, self.alpha < 1), (sympy.oo, True))
 
-    def in_units(self, units: str = "epsilon") -> tuple[Expr, Expr]:
+    @public
+    def in_units(self, units: str = "epsilon", *, max_seconds: Number = 60) -> tuple[Expr, Expr]:
         """(A, phi) in tau and epsilon, in tau and Lancaster's kappa = M_(alpha+1) epsilon, or in t, m, k, b, x_0.
 
         Letters all of them, also where a strength was given.
@@ -241,17 +243,20 @@ class Solution(ProvedCurve):
         """The number epsilon, exact or to 40 digits; InputError where none was given."""
         return strength_of(self._given(), 40)
 
-    def functions(self, strength: Any = None) -> tuple[Any, Any, Any]:
+    @public
+    def functions(self, strength: Any = None, *, max_seconds: Number = 60) -> tuple[Any, Any, Any]:
         """(A, phi, x) as NumPy functions of tau and epsilon, or of tau alone with a ``strength``; x(0) = 1."""
         return functions(self, None if strength is None else exact_double(strength, "strength"))
 
-    def sample(self, times: Any) -> tuple[Array, Array, Array]:
+    @public
+    def sample(self, times: Any, *, max_seconds: Number = 60) -> tuple[Array, Array, Array]:
         """(A, phi, x) at an array of tau, in doubles and units of x_0; InputError without a strength."""
         A, phi, x = functions(self, float(self.strength))
         given = times_of(times)
         return A(given), phi(given), x(given)
 
-    def at(self, time: Number, *, digits: Any = 30) -> SolutionPoint:
+    @public
+    def at(self, time: Number, *, digits: Any = 30, max_seconds: Number = 60) -> SolutionPoint:
         """A, phi and x at one tau >= 0 to ``digits`` digits, by mpmath; not certified.
 
         InputError without a strength.
@@ -260,7 +265,8 @@ class Solution(ProvedCurve):
         number, D = to_sympy(time_of(time)), exact_integer(digits, "digits", 1, MAX_DIGITS)
         return _rounded(*numbers(self, number, D), D)
 
-    def refined(self, digits: int) -> "Solution":
+    @public
+    def refined(self, digits: int, *, max_seconds: Number = 60) -> "Solution":
         """The same with rates and start to that many digits where they do not all close: closed ones of high order are
         long products of gamma functions, slow to evaluate."""
         digits = exact_integer(digits, "digits", 1, MAX_REFINED)
@@ -286,7 +292,8 @@ class Solution(ProvedCurve):
             raise InputError("alpha", "a symbolic exponent has no numbers", "an exponent that is a number")
         return waveforms(self.alpha, order=max(1, self.order - 1))
 
-    def at_time(self, oscillator: Oscillator, time: Number, digits: int) -> SolutionPoint:
+    @public
+    def at_time(self, oscillator: Oscillator, time: Number, digits: int, *, max_seconds: Number = 60) -> SolutionPoint:
         """The same at a time t of an oscillator with this law, in its units: A and x in m, phi in rad."""
         require_oscillator(oscillator)
         digits = exact_integer(digits, "digits", 1, MAX_DIGITS)
@@ -304,14 +311,15 @@ class Solution(ProvedCurve):
             turned = -x if oscillator.x0 < 0 and oscillator.v0.is_zero else x
             return _rounded(size * unit, lag, turned * unit, digits)
 
-    def bound(self, time: Number, *, digits: Any = 30) -> str:
+    @public
+    def bound(self, time: Number, *, digits: Any = 30, max_seconds: Number = 60) -> str:
         """A proved bound, rounded up, of |x(tau) - x_N| for the decimal x_N that ``at`` gives, in units of x_0."""
         if self.start is not None:
             raise InputError("v0", "a bound in units of the radius of the start is not served", "at_time, proved_bound")
         # The bound is of the printed decimal, so that its rounding is inside: an enclosure of the true motion beside
         # it, whatever way the decimal was found.
         dimensionless = of_unit_start(self._given().dimensionless)
-        return proved_bound(dimensionless, self.at(time, digits=digits).x, time)
+        return proved_bound(dimensionless, self.at(time, digits=digits).x, time, max_seconds=seconds_left())
 
     def _theorem(self) -> Theorem:
         if self.start is not None:

@@ -80,7 +80,8 @@ def _page(found: Identification, request: Request) -> str:
     """The page, with the digests of the files and the options that are not at their defaults."""
     # The page is to be checked against its data years later: names change, digests do not.
     files = {name: f"SHA-256 {sha256(Path(name).read_bytes()).hexdigest()}" for name in request["data"]}
-    names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise columns decimal sheet rate"
+    names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise "
+    names += "columns decimal sheet rate modes"
     given = {name: request.typed(name) for name in (*names.split(), "no_bootstrap")}
     chosen = "; ".join(f"{n}: {' '.join(v) if isinstance(v, list) else v}" for n, v in given.items() if v)
     date = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
@@ -126,6 +127,7 @@ def identify(
     omega_0: Annotated[Number | None, POSITIVE.called(letter="W", option="omega0", group=_LAW)] = None,
     noise: Annotated[Number | None, POSITIVE.called(letter="S", group=_DATA)] = None,
     bootstrap: Annotated[bool, BOOTSTRAP] = True,
+    modes: Annotated[int, whole(1, 2).called(group=_DATA)] = 1,
     max_seconds: Annotated[Number, SECONDS.called(default=str(PATIENCE))] = PATIENCE,
 ) -> Identification:
     """Which damping law is it?  From a measured decay to exponents, strengths and honest intervals.
@@ -180,6 +182,8 @@ def identify(
         standard deviation of x, if known
     bootstrap
         whether the intervals of correlated residuals are lengthened
+    modes
+        2: the strongest further line of the samples is fitted beside the motion
     max_seconds
         the time the request may take, in seconds
 
@@ -211,5 +215,5 @@ def identify(
     return identified(
         data, kind=kind, unit=unit, laws=laws, springs=springs, amplitudes=amplitudes, amplitudes_only=amplitudes_only,
         mass=mass, stiffness=stiffness, omega_0=omega_0, noise=noise, bootstrap=bootstrap,
-        how=How(columns, decimal, skip, sheet, None if rate is None else float(rate)),
+        how=How(columns, decimal, skip, sheet, None if rate is None else float(rate)), modes=modes,
     )  # fmt: skip

@@ -4,8 +4,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-
 from asymptotics.decays.identification.fitting.in_time import ALL, Time
+
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
 from asymptotics.decays.identification.judging import comparison
 from asymptotics.decays.identification.judging.comparison import fit_laws
