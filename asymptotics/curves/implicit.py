@@ -38,7 +38,7 @@ from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Oscillator, of_unit_start
 from asymptotics.law_given import require_oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
-from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.point import MotionPoint
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal

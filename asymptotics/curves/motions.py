@@ -29,8 +29,9 @@ from asymptotics.law import LawLike, Oscillator
 from asymptotics.law_given import oscillator_of, require_oscillator
 from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
+from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
-from asymptotics.motions.result import MotionPoint, MotionSamples
+from asymptotics.motions.result import MotionSamples
 from asymptotics.motions.state_route import alone
 from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.arrays import real_array

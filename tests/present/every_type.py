@@ -91,7 +91,7 @@ SAMPLES = {
     "law.PhysicalLaw": "osc.law",
     "limit_cycles.certified.CertifiedCycle": "cycle.at_mu",
     "limit_cycles.result.LimitCycle": "cycle",
-    "motions.result.MotionPoint": "motion.at(7)",
+    "motions.point.MotionPoint": "motion.at(7)",
     "motions.result.MotionSamples": "motion.sample([0.0, 1.0, 2.0])",
     "expansions.multiple_scales.orders.Order": "asy.multiple_scales(2, order=2).orders[1]",
     "expansions.multiple_scales.symbolic.MultipleScales": "asy.multiple_scales(3, order=2)",
