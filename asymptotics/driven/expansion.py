@@ -134,10 +134,10 @@ class Piece:
             total += wave * factor
             j += 1
             wave *= acb(0, turn) / j
-            # What is left of e^(i n s) is at most (n h)^j/j!.
+            # What is left of e^(i n s) is at most (n s)^j/j!, and of its integral (n h)^j/j! h/(j + 1).
             if abs(wave) * h**j < arb(2) ** (-ctx.prec) or j > 4 * ctx.prec:
                 break
-        rest = upper(size * h * abs(wave) * h**j)
+        rest = upper(size * abs(wave) * h ** (j + 1) / (j + 1))
         start = (acb(0, -n) * self.begin).exp()
         return self.sign * start * (total + acb(arb(0, rest), arb(0, rest)))
 

@@ -49,8 +49,9 @@ def test_two_far_starts_end_in_it(law, f, omega):
 
 
 @settings(max_examples=4, deadline=None)
-@given(st.sampled_from([1.5, 2, 3]), st.floats(0.2, 1), st.floats(0.3, 2), st.floats(0.7, 2))
+@given(st.sampled_from([1.5, 2, 3]), st.floats(0.2, 1), st.floats(1, 2), st.floats(0.7, 1.3))
 def test_random_laws(alpha, b, f, omega):
+    # Forces for which the loss of 80 periods makes any start forgotten: weak ones attract slowly.
     b, f, omega = (round(value, 2) for value in (b, f, omega))
     found = asy.response({alpha: b}, f, omega, digits=9)
     x, v, _ = after({alpha: b}, f, omega, 80, (2, -1))

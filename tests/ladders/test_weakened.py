@@ -14,7 +14,7 @@ from benchmarks.bound_sites import sites
 from tests.ladders.walk import ROOT, trees
 
 ROOMS = {
-    "bounds", "decays", "envelopes", "equivalent", "expansions", "flow", "limit_cycles",
+    "bounds", "decays", "driven", "envelopes", "equivalent", "expansions", "flow", "limit_cycles",
     "motions", "numbers", "return_map", "turning",
 }  # fmt: skip
 
@@ -38,6 +38,13 @@ OWN = {
     "::test_what_the_strip_leaves_open_is_in_the_error_after_it",
     "equivalent.conservative_cycle._power": "tests/equivalent/test_conservative_cycle.py"
     "::test_the_size_of_a_power_near_zero_is_attained",
+    "driven.expansion.Piece.harmonic": "tests/driven/test_bounds.py::test_the_rest_of_a_harmonic_is_that_of_the_wave",
+    "driven.first_order.peak": "tests/driven/test_bounds.py::test_the_peak_is_held_at_few_bits",
+    "driven.orbit.Orbit._of_v": "tests/driven/test_bounds.py"
+    "::test_the_error_moves_x_and_the_speed_by_as_much_as_the_norm_lets_it",
+    "driven.orbit.Orbit._of_x": "tests/driven/test_bounds.py"
+    "::test_the_error_moves_x_and_the_speed_by_as_much_as_the_norm_lets_it",
+    "driven.trial.march": "tests/driven/test_bounds.py::test_the_march_counts_every_defect_and_has_a_limit",
     "envelopes.certified.amplitude": "tests/envelopes/test_certified.py::test_too_little_precision_is_an_enclosure",
     "envelopes.certified.extinction_time": "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it",
     "envelopes.large.SlowFlow.extinction_time": "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it",

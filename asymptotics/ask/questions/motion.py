@@ -152,7 +152,7 @@ def _as_reference(point: Mapping[str, str], digits: int) -> dict[str, str]:
         rows_done=_rows_done,
         lacks={
             "latex": "the answer is numbers at one time; `expand --latex` has the equations",
-            "force": "driven motion is not served: the oscillator is left to itself after its start",
+            "force": "here the oscillator is left to itself after its start; `asymptotics response` has the driven one",
         },
     ),
     name="motion",
