@@ -26,7 +26,8 @@ from math import floor, log2
 from flint import arb, fmpz
 
 from asymptotics.errors import LimitError
-from asymptotics.numbers.exact import ExactReal, require_integer
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 
 BITS_PER_DIGIT = log2(10)
@@ -135,8 +136,8 @@ def _round_quotient(p: fmpz, q: fmpz, digits: int) -> tuple[fmpz, int]:
     sign, p = (-1, -p) if p < 0 else (1, p)
     # A little below log10(p/q) in doubles, so that this start is never above the exponent that is sought, and the first
     # one that leaves no more than the wanted digits is the right one.
-    top, bottom = log2(int(p)), log2(int(q))
-    exponent = floor((top - bottom - 1e-14 * (1 + top + bottom)) / BITS_PER_DIGIT) - digits + 1
+    above, below = log2(int(p)), log2(int(q))
+    exponent = floor((above - below - 1e-14 * (1 + above + below)) / BITS_PER_DIGIT) - digits + 1
     while True:  # mostly once, at most a few times
         scale = fmpz(10) ** abs(exponent)
         top, bottom = (p, q * scale) if exponent >= 0 else (p * scale, q)

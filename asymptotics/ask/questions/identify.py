@@ -99,9 +99,8 @@ def _page(found: Identification, request: Request) -> str:
     """The page, with the digests of the files and the options that are not at their defaults."""
     # The page is to be checked against its data years later: names change, digests do not.
     files = {name: f"SHA-256 {sha256(Path(name).read_bytes()).hexdigest()}" for name in request["data"]}
-    names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise "
-    names += "columns decimal sheet rate modes"
-    given = {name: request.typed(name) for name in (*names.split(), "no_bootstrap")}
+    names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise columns decimal sheet rate"
+    given = {name: request.typed(name) for name in (*names.split(), "modes", "no_bootstrap")}
     chosen = "; ".join(f"{n}: {' '.join(v) if isinstance(v, list) else v}" for n, v in given.items() if v)
     date = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
     return html_report(found, {**files, "options": chosen or "none", "date": date})

@@ -20,8 +20,8 @@ from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.dense import State
 from asymptotics.law import Oscillator
+from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.reference import reference_motion, reference_states
-from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.digits import ball_of
