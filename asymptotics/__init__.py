@@ -21,80 +21,85 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from asymptotics import testing
-    from asymptotics.api.constants import S, T, radii
-    from asymptotics.api.files import compare
-    from asymptotics.api.hierarchy import any_start, map_of_gauges, multiple_scales
-    from asymptotics.api.lookups import C, G, f, table_names
-    from asymptotics.api.motions import Events, Motion, Reference, motion, reference
-    from asymptotics.api.pictures import plot
-    from asymptotics.api.slow import Envelope, envelope
-    from asymptotics.api.solution import solution
-    from asymptotics.api.waves import waveforms
-    from asymptotics.ask.questions.damping import damping, damping_law
+    from asymptotics.ask.questions._damping_law import damping_law
+    from asymptotics.ask.questions.compare import compare
+    from asymptotics.ask.questions.damping import damping
     from asymptotics.ask.questions.derive import derive
     from asymptotics.ask.questions.half_swing import half_swing
+    from asymptotics.ask.questions.identify import identify
     from asymptotics.ask.questions.limit_cycle import limit_cycle
     from asymptotics.ask.questions.moment import moment
     from asymptotics.ask.questions.stokes import stokes
+    from asymptotics.ask.questions.sweep import sweep_command
     from asymptotics.ask.questions.table import table
     from asymptotics.ask.questions.turning_points import turning_points
     from asymptotics.bounds.remainder import remainder
-    from asymptotics.cli.swept import sweep_command
-    from asymptotics.curves.turning_points import OscillatorTurningPoints
+    from asymptotics.curves.motions import Events, Motion, Reference, motion, reference
+    from asymptotics.curves.pictures import plot
+    from asymptotics.curves.slow import Envelope, envelope
+    from asymptotics.curves.solution import solution
+    from asymptotics.curves.waves import waveforms
+    from asymptotics.decays.identification.found_law import DampingLaw
+    from asymptotics.decays.identification.telling.html_report import html_report
+    from asymptotics.decays.identification.telling.result import Identification
     from asymptotics.equivalent.result import EquivalentDamping
     from asymptotics.errors import InputError, LimitError, UndecidedError
     from asymptotics.expansions.equations.build import expand
     from asymptotics.expansions.equations.result import Equations
-    from asymptotics.identification.found_law import DampingLaw
-    from asymptotics.identification.identify import identify
-    from asymptotics.identification.telling.html_report import html_report
-    from asymptotics.identification.telling.result import Identification
+    from asymptotics.expansions.multiple_scales.hierarchy import any_start, map_of_gauges, multiple_scales
     from asymptotics.law import Law, Oscillator, PhysicalLaw
+    from asymptotics.motions.invariants.constants import S, T, radii
+    from asymptotics.motions.invariants.smith import C, G, f
     from asymptotics.numbers.exact import ExactReal
     from asymptotics.numbers.value import Coefficient
     from asymptotics.papers.lookup import paper, statements
     from asymptotics.papers.statement import PaperStatement
     from asymptotics.sweeps.run import sweep
+    from asymptotics.tables.names import table_names
+    from asymptotics.turning.result import TurningPoints
 
 __version__ = "0.1.0"
 
 # The same names once more: a type checker reads the imports above, Python this table.
 _HOMES = {
-    "api.constants": ("S", "T", "radii"),
-    "ask.questions.damping": ("damping", "damping_law"),
+    "motions.invariants.constants": ("S", "T", "radii"),
+    "ask.questions._damping_law": ("damping_law",),
+    "ask.questions.compare": ("compare",),
+    "ask.questions.damping": ("damping",),
     "ask.questions.stokes": ("stokes",),
-    "api.files": ("compare",),
     "ask.questions.derive": ("derive",),
-    "api.hierarchy": ("any_start", "map_of_gauges", "multiple_scales"),
-    "api.lookups": ("C", "G", "f", "table_names"),
+    "expansions.multiple_scales.hierarchy": ("any_start", "map_of_gauges", "multiple_scales"),
+    "motions.invariants.smith": ("C", "G", "f"),
+    "tables.names": ("table_names",),
+    "ask.questions.sweep": ("sweep_command",),
     "ask.questions.table": ("table",),
     "ask.questions.moment": ("moment",),
     "ask.questions.half_swing": ("half_swing",),
+    "ask.questions.identify": ("identify",),
     "ask.questions.limit_cycle": ("limit_cycle",),
-    "api.motions": ("Events", "Motion", "Reference", "motion", "reference"),
-    "api.pictures": ("plot",),
-    "api.slow": ("Envelope", "envelope"),
-    "api.solution": ("solution",),
-    "api.waves": ("waveforms",),
+    "curves.motions": ("Events", "Motion", "Reference", "motion", "reference"),
+    "curves.pictures": ("plot",),
+    "curves.slow": ("Envelope", "envelope"),
+    "curves.solution": ("solution",),
+    "curves.waves": ("waveforms",),
     "ask.questions.turning_points": ("turning_points",),
-    "curves.turning_points": ("OscillatorTurningPoints",),
     "bounds.remainder": ("remainder",),
-    "cli.swept": ("sweep_command",),
     "expansions.equations.build": ("expand",),
     "expansions.equations.result": ("Equations",),
-    "identification.found_law": ("DampingLaw",),
+    "decays.identification.found_law": ("DampingLaw",),
     "equivalent.result": ("EquivalentDamping",),
     "errors": ("InputError", "LimitError", "UndecidedError"),
-    "identification.telling.html_report": ("html_report",),
-    "identification.identify": ("identify",),
-    "identification.telling.result": ("Identification",),
+    "decays.identification.telling.html_report": ("html_report",),
+    "decays.identification.telling.result": ("Identification",),
     "law": ("Law", "Oscillator", "PhysicalLaw"),
     "numbers.exact": ("ExactReal",),
     "numbers.value": ("Coefficient",),
     "papers.lookup": ("paper", "statements"),
     "papers.statement": ("PaperStatement",),
     "sweeps.run": ("sweep",),
+    "turning.result": ("TurningPoints",),
 }
+_RENAMED = {"OscillatorTurningPoints": "TurningPoints", "cut_short": "running.cut_short", "budget": "running.budget"}
 _HOME = {name: module for module, names in _HOMES.items() for name in names}
 
 __all__ = [
@@ -113,12 +118,12 @@ __all__ = [
     "LimitError",
     "Motion",
     "Oscillator",
-    "OscillatorTurningPoints",
     "PaperStatement",
     "PhysicalLaw",
     "Reference",
     "S",
     "T",
+    "TurningPoints",
     "UndecidedError",
     "any_start",
     "compare",
@@ -159,7 +164,8 @@ def __getattr__(name: str) -> Any:
     if name == "testing":  # the one room that is public as it is
         return import_module("asymptotics.testing")
     if name not in _HOME:
-        raise AttributeError(f"module 'asymptotics' has no attribute {name!r}")
+        now = f": it is asymptotics.{_RENAMED[name]} now" if name in _RENAMED else ""
+        raise AttributeError(f"module 'asymptotics' has no attribute {name!r}{now}")
     value = getattr(import_module(f"asymptotics.{_HOME[name]}"), name)
     globals()[name] = value
     return value

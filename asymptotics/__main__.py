@@ -2,6 +2,6 @@
 
 import sys
 
-from asymptotics.cli.entry import main
+from asymptotics.shell.entry import main
 
 sys.exit(main())

@@ -18,8 +18,8 @@ asymptotics.errors.LimitError: argument order: order 300 would take about 7200 s
 from collections.abc import Iterable
 from math import comb, log2
 
-from asymptotics.budget import seconds_told
 from asymptotics.errors import LimitError
+from asymptotics.running.budget import seconds_told
 
 # What all of these numbers decide: which route is offered first, and whether a request is refused before it begins.  No
 # digit depends on one.  Half or twice a constant moves a refusal, and the time budget stops what was let through.

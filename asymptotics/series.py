@@ -22,8 +22,8 @@ from typing import Any
 
 from flint import fmpq
 
-from asymptotics.budget import tick
 from asymptotics.numbers.context import cached_property
+from asymptotics.running.budget import tick
 
 Key = tuple[int, ...]
 

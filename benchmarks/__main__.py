@@ -11,8 +11,8 @@ from importlib import import_module
 from pathlib import Path
 from time import perf_counter
 
-from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import InputError
+from asymptotics.shell.guarded import complain, emit, run_guarded
 from benchmarks import peers
 
 BENCHMARKS = {
@@ -50,7 +50,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(argv: list[str] | None) -> int:
-    parser = import_module("asymptotics.cli.main").Parser(prog="python -m benchmarks", description=__doc__)
+    parser = import_module("asymptotics.shell.main").Parser(prog="python -m benchmarks", description=__doc__)
     parser.add_argument("name", nargs="?", help=", ".join(BENCHMARKS) + "; without it, all of them")
     parser.add_argument("--size", type=int, help="largest row, order or number of points (default: the stated one)")
     parser.add_argument("--quick", action="store_true", help="smaller sizes, all benchmarks in a minute")

@@ -8,7 +8,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
 
-from asymptotics.comparison import compare_file
+from asymptotics.decays.comparison import compare_file
 from asymptotics.law import Oscillator
 from asymptotics.turning.choose import turning_points
 from benchmarks.table import Table, seconds_text

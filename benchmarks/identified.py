@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 
 import asymptotics as asy
+from asymptotics.decays.identification.judging.judgement import rivals
 from asymptotics.errors import InputError, LimitError
-from asymptotics.identification.judging.judgement import rivals
 from asymptotics.made_by import mark
 from benchmarks.decays import CLASSES, SEED, Decay, decay
 from benchmarks.table import Table, seconds_text

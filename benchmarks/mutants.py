@@ -19,8 +19,8 @@ import time
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from asymptotics.cli.main import Parser
-from asymptotics.cli.shell import emit, run_guarded
+from asymptotics.shell.guarded import emit, run_guarded
+from asymptotics.shell.main import Parser
 from benchmarks.table import Table
 
 ROOT = Path(__file__).parents[1]
@@ -58,15 +58,15 @@ class Group:
 
 
 BESIDES = {  # tests of other rooms that notice faults of a room
-    "motions/invariants": ("tests/api/test_constants.py",),
+    "motions/invariants": ("tests/curves/test_constants.py",),
     "envelopes": (
-        "tests/api/test_evaluated.py",
-        "tests/api/test_implicit.py",
-        "tests/api/test_proved_curve.py",
-        "tests/api/test_shown_solution.py",
-        "tests/api/test_slow_numbers.py",
-        "tests/api/test_solution.py",
-        "tests/api/test_started.py",
+        "tests/curves/test_evaluated.py",
+        "tests/curves/test_implicit.py",
+        "tests/curves/test_proved_curve.py",
+        "tests/curves/test_shown_solution.py",
+        "tests/curves/test_slow_numbers.py",
+        "tests/curves/test_solution.py",
+        "tests/curves/test_started.py",
     ),
     "flow/linear_spring": (
         "tests/flow/test_error_propagation_ratios.py",
@@ -74,7 +74,7 @@ BESIDES = {  # tests of other rooms that notice faults of a room
         "tests/return_map/test_sequence.py",
     ),
     "turning": ("tests/flow/linear_spring/test_near_critical.py",),
-    "comparison": ("tests/api/test_files.py",),
+    "decays/comparison": ("tests/curves/test_files.py",),
 }
 
 
@@ -94,8 +94,8 @@ ROOMS = (
     "envelopes",
     "bounds",
     "limit_cycles",
-    "comparison",
-    "identification",
+    "decays/comparison",
+    "decays/identification",
 )
 GROUPS = {
     "numbers": _room("numbers", "tests/numbers/test_contract.py"),  # it inspects signatures, which mutmut hides

@@ -12,6 +12,10 @@ import numpy as np
 from flint import arb
 
 import asymptotics as asy
+from asymptotics.decays.identification.forward.coefficients import loss
+from asymptotics.decays.identification.forward.sequence import turning_sequence
+from asymptotics.decays.identification.forward.swing import HalfSwingModel
+from asymptotics.decays.identification.synthetic import observed
 from asymptotics.expansions.divergence import germ
 from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
 from asymptotics.expansions.half_swings.exact import exact_half_swing
@@ -19,10 +23,6 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.sequence import sequence
 from asymptotics.flow.taylor import GUARD
 from asymptotics.flow.turning import at_rest
-from asymptotics.identification.forward.coefficients import loss
-from asymptotics.identification.forward.sequence import turning_sequence
-from asymptotics.identification.forward.swing import HalfSwingModel
-from asymptotics.identification.synthetic import observed
 from asymptotics.law import Law
 from asymptotics.limit_cycles.series import limit_cycle_series
 from asymptotics.numbers.context import ctx

@@ -22,7 +22,7 @@ for _ in range(int(sys.argv[2])):
     times.append(used() - start)
 print(json.dumps([min(times), resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024]))
 """
-ASYMPTOTICS = ("-m", "asymptotics.cli.main")
+ASYMPTOTICS = ("-m", "asymptotics.shell.main")
 COMMANDS = {
     "bare interpreter": ("-c", "pass"),
     "import asymptotics": ("-c", "import asymptotics"),

@@ -7,8 +7,8 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
-from asymptotics.cli.shell import complain, emit, run_guarded
 from asymptotics.errors import InputError
+from asymptotics.shell.guarded import complain, emit, run_guarded
 from derivations.document import document
 from derivations.steps import Derivation
 
@@ -33,7 +33,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(argv: list[str] | None) -> int:
-    parser = import_module("asymptotics.cli.main").Parser(
+    parser = import_module("asymptotics.shell.main").Parser(
         prog="python -m derivations", description=__doc__
     )  # loaded inside the shell, which answers Ctrl-C from here on
     parser.add_argument("name", nargs="?", help="a derivation; without it, the list")

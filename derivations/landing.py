@@ -1,9 +1,9 @@
 """A turning point beside a rest of an approximant: there is one, one only, how near and when.
 
-y rests at the time T at y_T, E bounds the distance from the true motion (``defect-bound``), and |y'| >= (s/S) V_low at
-the distance s <= S in time.
+y rests at the time T at y_T, E bounds the distance from the true motion (``defect-bound``), |y'| >= (s/S) V_low at the
+distance s <= S in time, and V_low > E.  h = H/k is where dry friction just holds the mass.
 
->>> len(derivation.steps) > 6
+>>> len(derivation.steps) > 10
 True
 """
 
@@ -11,16 +11,24 @@ import sympy
 
 from derivations.steps import At, Derivation, Solution
 
-s, S, E, V_low, V_high, k, H, d, g, x, y = sympy.symbols("s S E V_low V_high k H d g x y", positive=True)
-f, v, b = sympy.symbols("f v b", real=True)
+s, S, E, V_low, k, H, d, g, x, y = sympy.symbols("s S E V_low k H d g x y", positive=True)
+f, v, b, r, eta, X = sympy.symbols("f v b r eta X", real=True)
 t = sympy.Symbol("t", real=True)
 
 derivation = Derivation(
     "landing",
     "A turning point beside a rest of an approximant",
-    source="energy; a speed whose zeros all fall",
+    source="energy about the place of rest under friction; a speed whose zeros all fall",
 )
 step, asserts = derivation.step, derivation.asserts
+position, speed = sympy.Function("x")(t), sympy.Function("v")(t)
+
+
+def energy_rate(centre: sympy.Expr, force: sympy.Expr) -> sympy.Expr:
+    """Half the rate of k (x + centre)^2 + x'^2 along x'' = -k x - force."""
+    rates = {sympy.Derivative(position, t): v, sympy.Derivative(speed, t): -k * X - force, position: X, speed: v}
+    return At(sympy.Derivative((k * (position + centre) ** 2 + speed**2) / 2, t), rates)
+
 
 step(
     "|x' - y'| <= E: the true speed has the sign of y' where |y'| > E, which is so farther from T than",
@@ -29,23 +37,12 @@ step(
 )
 asserts("and this is within the piece if E < V_low,", sympy.Lt(S * V_low / (V_low + d), S, evaluate=False))
 step(
-    "In that time y, with |y'| <= (s/S) V_high, moves at most by D,",
-    sympy.Integral(s / S * V_high, (s, 0, S * E / V_low)),
-    S * E**2 * V_high / (2 * V_low**2),
-)
-step(
-    "so that |y_T| = D + E/sqrt(k) + d leaves |x| >= d > 0 there: x has one sign",
-    At(y - S * E**2 * V_high / (2 * V_low**2) - E / sympy.sqrt(k),
-       {y: S * E**2 * V_high / (2 * V_low**2) + E / sympy.sqrt(k) + d}),
-    d,
-)  # fmt: skip
-step(
     "Where x' = 0 and k x = H + d, what holds the mass is at most H: the acceleration is at most",
     At(-k * x - f, {x: (H + d) / k, f: -H}),
     -d,
 )
 step(
-    "so the speed falls through each of its zeros and has one at most.  Where k x = H - d it stays: friction f is",
+    "so the speed falls through each of its zeros at k x > H.  Where k x = H - d it stays: friction f is",
     Solution(-k * (H - d) / k - f, 0, f),
     d - H,
 )
@@ -53,26 +50,58 @@ asserts(
     "which is within what friction holds (d <= H, here half of it)", sympy.Ge(At(d - H, {d: H / 2}), -H, evaluate=False)
 )
 step(
-    "There is one: a mass that moves on with v > 0 is slowed down by k x + F(v), which is g at the least,",
+    "Arriving, there is one: a mass that moves on with v > 0 is slowed down by k x + F(v), which is g at the least,",
     At(k * x + f, {x: y - E / sympy.sqrt(k), f: H}),
     k * y - sympy.sqrt(k) * E + H,
 )
 step("and from v <= E it rests after", Solution(E - g * s, 0, s), E / g)
-position, speed = sympy.Function("x")(t), sympy.Function("v")(t)
-rates = {sympy.Derivative(position, t): v, sympy.Derivative(speed, t): -k * x - f, position: x, speed: v}
 step(
-    "Energy only falls, as f v >= 0,",
-    At(sympy.Derivative((k * position**2 + speed**2) / 2, t), rates),
+    "On the way up, where F = H + f with f >= 0, half of k (x + H/k)^2 + x'^2 falls,",
+    energy_rate(H / k, H + f),
     -f * v,
 )
 asserts(
-    "so at that rest sqrt(k) |x| <= sqrt(k) y_T + E, by the inequality of Cauchy for (sqrt(k) y_T, 0) and what is off,",
+    "so at that rest sqrt(k) (x + H/k) <= sqrt(k) (y_T + H/k) + E, by Cauchy for (sqrt(k) y, 0) and what is off,",
     sympy.Le((sympy.sqrt(k) * y * b + 0 * v) ** 2, k * y**2 * (b**2 + v**2), evaluate=False),
 )
 step(
-    "Before the centre, at y_T = -y, g > 0 asks for k (y + E/sqrt(k)) < H: then y_T is a rest as well, and y is below",
-    Solution(H - k * (y + E / sympy.sqrt(k)), 0, y),
-    H / k - E / sympy.sqrt(k),
+    "The same of y, half of R^2, changes by r beside it: R changes by |r| at most, as |y'| <= R,",
+    energy_rate(H / k, H + f - r),
+    -f * v + r * v,
+)
+step(
+    "and g = d > 0 says that at T, where y' = 0, R = sqrt(k) (y_T + H/k) is more than E by",
+    At(sympy.sqrt(k) * (X + H / k) - E, {X: (d - H) / k + E / sympy.sqrt(k)}),
+    d / sympy.sqrt(k),
+)
+step(
+    "A second rest in the piece is at x_3 = -(H + d)/k: if eta = y + H/k >= 0 there, y is farther than eta from it by",
+    At(y - x - eta, {x: -(H + d) / k, y: eta - H / k}),
+    d / k,
+)
+step(
+    "and if eta = -s < 0 it was so at the first one too, at x_1 = (H + d)/k, from which y is farther than |eta| by",
+    At(x - y - s, {x: (H + d) / k, y: -s - H / k}),
+    (2 * H + d) / k,
+)
+step(
+    "either way the distance is more than R, and that more than E less what r adds: no second rest.  Leaving downwards,"
+    " f v >= 0, and half of k y^2 + y'^2 changes by",
+    energy_rate(0, f - r),
+    -f * v + r * v,
+)
+asserts(
+    "A rest of x at x = -d beside y >= 0: the distance is k y^2 + y'^2 at the least, so |y'| <= E there and at the end",
+    sympy.Ge(k * (y + d) ** 2 + v**2, k * y**2 + v**2, evaluate=False),
+)
+step(
+    "and beside y = -s < 0, y' = -v: spring and losses add to y'' = -k y - F + r at least r",
+    At(-k * y - f + r, {y: -s, f: -g}) - r,
+    k * s + g,
+)
+asserts(
+    "Nothing less than g > 0 will do: y_T = E/(2 sqrt(k)), H = 0 has g < 0, and x may be beyond the centre",
+    sympy.Lt(At(k * (y - E / sympy.sqrt(k)), {y: E / (2 * sympy.sqrt(k))}), 0, evaluate=False),
 )
 asserts(
     "The time alone does not tell how near: with E/g and the speed E the mass could move farther than E/sqrt(k)",

@@ -132,11 +132,14 @@ step(
     Derivative(G**2, u),
     2 * G * Derivative(G, u),
 )
-x, E = sympy.symbols("x E", real=True)
+x, gamma, omega = sympy.symbols("x gamma omega", positive=True)
+E = sympy.Symbol("E", real=True, nonzero=True)
 step(
-    "(54) with gamma = omega = 1 is this integral, in x for u: the square under its root, k = -2 E, for every E != 0",
-    At(radicand, {theta: exp(2 * x), u: x, k: -2 * E}),
-    2 * E * exp(2 * x) + x + half,
+    "(54), corrected, is this integral: with u = gamma x, du = gamma dx, the square under its root is, for E != 0,"
+    " as on every half-cycle between two turning points",
+    omega**2 / gamma**2 * At(radicand, {theta: exp(2 * gamma * x), k: -2 * E * gamma**2 / omega**2, u: gamma * x}),
+    2 * E * exp(2 * gamma * x) + omega**2 / gamma * (x + 1 / (2 * gamma)),
+    proves=("smith2012:claim.not-in-tables",),
 )
 
 # Near misses: integrals that are elementary, and where the proof stops for them.

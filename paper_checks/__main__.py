@@ -3,7 +3,7 @@
 import sys
 from importlib import import_module
 
-from asymptotics.cli.shell import run_guarded
+from asymptotics.shell.guarded import run_guarded
 
 
 def main(argv: list[str] | None = None) -> int:

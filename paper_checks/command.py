@@ -7,12 +7,12 @@ from importlib import import_module
 from pathlib import Path
 
 from asymptotics import __version__
-from asymptotics.cli.main import Parser
-from asymptotics.cli.progress import progress_bar
-from asymptotics.cli.shell import complain, emit
 from asymptotics.errors import InputError
 from asymptotics.made_by import made_by
 from asymptotics.present.files import require_writable, write_atomically
+from asymptotics.running.progress import progress_bar
+from asymptotics.shell.guarded import complain, emit
+from asymptotics.shell.main import Parser
 from paper_checks import reader
 from paper_checks.data import DATA, written
 from paper_checks.details import CHANGED, in_words

@@ -3,14 +3,17 @@
 import ast
 import inspect
 import json
+import re
 from pathlib import Path
 from typing import Any
 
 from derivations.__main__ import names as derivation_names
 from paper_checks.near_misses import WORDS
-from paper_checks.registry import IDENTIFIERS, PAPERS, Statement, load
+from paper_checks.registry import FOLLOW_UPS, IDENTIFIERS, PAPERS, Statement, load
 
 ROOT = Path(__file__).parents[1]
+DOCS = ROOT / "docs"
+UNREAD = ("maintainers", "auto_gallery", "changelog", "api", "parity")
 DATA = ROOT / "asymptotics" / "papers" / "data.json"
 
 
@@ -20,8 +23,10 @@ def written() -> str:
     known = {
         "papers": references,
         "identifiers": IDENTIFIERS,
+        "follow_ups": [{"arxiv": number, "title": title, "on": list(ids)} for number, title, ids in FOLLOW_UPS],
         "statements": [record(s) for s in load().values()],
         "derivations": derivation_records(),
+        "documentation": doc_records(),
     }
     return json.dumps(known, indent=1, ensure_ascii=False) + "\n"
 
@@ -51,6 +56,22 @@ def _derivation_record(name: str, ids: list[str]) -> dict[str, Any]:
     section = inspect.unwrap(load()[ids[0]].check).__module__.rpartition(".")[2] if ids else ""
     paper = ids[0].partition(":")[0] if ids else ""
     return {"name": name, "title": given[1], "source": given[2], "paper": paper, "section": section, "statements": ids}
+
+
+def doc_records() -> list[dict[str, Any]]:
+    """The pages of the documentation that people read, by title and headings; those of the gallery by their titles."""
+    found = []
+    for path in sorted(DOCS.rglob("*.md")):
+        page = path.relative_to(DOCS).with_suffix("").as_posix()
+        if page.partition("/")[0] in UNREAD:
+            continue
+        text = re.sub(r"(?s)^(`{3,}|:{3,}).*?^\1", "", path.read_text(encoding="utf-8"), flags=re.M)
+        heads = [re.sub(r"[`*$]", "", head).strip() for head in re.findall(r"(?m)^#{1,3} (.+)$", text)]
+        found.append({"page": page, "title": heads[0], "headings": heads[1:]})
+    for path in sorted((DOCS / "gallery").glob("plot_*.py")):
+        title = str(ast.get_docstring(ast.parse(path.read_text(encoding="utf-8")))).partition("\n")[0]
+        found.append({"page": f"gallery/{path.stem}", "title": title, "headings": []})
+    return found
 
 
 def record(s: Statement) -> dict[str, Any]:

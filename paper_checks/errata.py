@@ -5,7 +5,7 @@ print from slips of the text at hand, where the text decides.
 
 >>> sheet = sheets()["smith2012"]
 >>> [len(found) for found in sheet.values()], sheet[PRINT][0].place, sheet[PRINT][0].effect
-([13, 4, 2], 'Text above (38a)', 'nothing: (50) has it right')
+([13, 4, 2], 'Text above (38a)', 'No result changes: (50) has the right exponents.')
 """
 
 from dataclasses import dataclass
@@ -27,13 +27,14 @@ UNDECIDED = Origin("Print or transcription: the text does not decide")
 GARBLED = Origin("Garbled in the text at hand")
 ORIGINS = (PRINT, UNDECIDED, GARBLED)
 WRONG = (Printed.MISPRINT, Printed.REFUTED, Printed.TRANSCRIPTION)
-NONE = "none"
-RIGHT_IN_50, UNSEEN = "nothing: (50) has it right", "nothing: the turning points do not see it"
+SAME = "No result changes"
+RIGHT_IN_50 = f"{SAME}: (50) has the right exponents."
+OTHERS_TELL = f"{SAME} if the last two members are equated; the first alone gives wrong turning points."
 
 
 @dataclass(frozen=True)
 class Erratum:
-    """One entry of a sheet."""
+    """One entry of a sheet; ``effect`` says whether a result changes."""
 
     statement: Statement
     place: str
@@ -42,78 +43,98 @@ class Erratum:
     origin: Origin
 
 
-# id: place, why in one line, what changes, origin
+# id: place, why in one line, whether a result changes, origin
 LINES: dict[str, tuple[str, str, str, Origin]] = {
-    "lancaster2020:claim.velocity-sign": (
-        "Text above (19)", "(9) has the minus sign.", "nothing: only even powers of it enter (18)", PRINT),
     "lancaster2020:claim.slow-dissipation": (
-        "Text below (5)", "The dot is lost; the text has A' there.", NONE, GARBLED),
-    "lancaster2020:claim.energy-derivative": ("Text below (6)", "Two dots are lost; (8) has them.", NONE, GARBLED),
+        "Text above (9)", "The dot is lost, which stands below (5); (14) has the modulus too.", f"{SAME}.", GARBLED),
+    "lancaster2020:claim.energy-derivative": (
+        "Text above (8)", "Two dots are lost; (7) and (8) have them.", f"{SAME}.", GARBLED),
     "lancaster2020:table1.alpha3": (
-        "Table I, exponent 3", "The left member is a remnant of the entry above; the right one is (13).", NONE,
+        "Table I, exponent 3", "The left member is a remnant of the entry above; the right one is (13).", f"{SAME}.",
         GARBLED),
     "lancaster2020:claim.weak-equals-slow": (
-        "Text below (13)", "The middle of the sentence is lost.", NONE, GARBLED),
-    "lelas2024:claim.number-of-sections": ("Section I", "The paragraph itself goes on to section VII.", NONE, PRINT),
+        "Text below (13) and (14)", "The halves of the sentence stand apart, and what joined them is lost.", f"{SAME}.",
+        GARBLED),
+    "lancaster2020:claim.velocity-sign": (
+        "Text below (19)", "The derivative of A cos has the minus sign, as (9).", f"{SAME}: (18) is even in x'.",
+        PRINT),
+    "lelas2024:claim.number-of-sections": (
+        "Section I", "The same paragraph goes on to describe section VII.", f"{SAME}.", PRINT),
     "lelas2024:10": (
-        "Eq. (10)", "The derivative of (8) has a minus inside the bracket.", "nothing: the term is dropped in (12)",
+        "Eq. (10)", "The derivative of (8) has a minus inside the bracket.", f"{SAME}: the term is dropped in (12).",
         PRINT),
-    "lelas2024:claim.force-of-47": ("Text above (47)", "(2) is viscous damping, (3) friction.", NONE, PRINT),
+    "lelas2024:claim.slope-small": (
+        "Text below (11)", "The dot is lost, which the sentence before has.", f"{SAME}.", GARBLED),
+    "lelas2024:claim.integrated-rate": (
+        "Text below (31)", "A fraction with a root was read twice.", f"{SAME}: (32) is right.", GARBLED),
+    "lelas2024:claim.slope-of-line": (
+        "Text below (32)", "A fraction with a root was read twice.", f"{SAME}: (33) is right.", GARBLED),
+    "lelas2024:claim.stop-time-section-3": (
+        "Text below (32)", "The root has lost its extent: over everything it gives no time.",
+        f"{SAME}: 12.9 s has the root over 2.", GARBLED),
+    "lelas2024:claim.force-of-47": (
+        "Text above (47)", "(2) is viscous damping; mu and g belong to (3), friction.", f"{SAME}.", PRINT),
+    "lelas2024:claim.stop-time-section-5": (
+        "Text below (50)", "The root has lost its extent: over everything it gives no time.",
+        f"{SAME}: 12.9 s has the root over 2.", GARBLED),
     "lelas2024:value.tau-tilde-a": (
-        "Section V, first panel", "Computed from the rounded 12.9 s.", "the last digit of this time", PRINT),
+        "Section V, mu = 0.01", "14.3217 s; the printed digits follow from the rounded 12.9 s.",
+        "Changes the last digit of this time.", PRINT),
     "lelas2024:value.tau-tilde-b": (
-        "Section V, second panel", "Computed from the rounded 4.3 s.", "the last digit of this time", PRINT),
+        "Section V, mu = 0.03", "4.7739 s; the printed digits follow from the rounded 4.3 s.",
+        "Changes the last digit of this time.", PRINT),
     "lelas2024:value.tau-exact-b": (
-        "Section V, second panel", "Seven half periods; the paper reads it from its graph.",
-        "the last digit of this time",
-        PRINT),
+        "Section V, mu = 0.03", "Seven half periods, 4.9174 s; the paper reads the time from its graph.",
+        "Changes the last digit of this time.", PRINT),
     "lelas2024:claim.figure-of-section-6": (
-        "Section VI", "The panels that differ in C are those of Fig. 2.", NONE, PRINT),
+        "Section VI", "The panels that differ in C are those of Fig. 2.", f"{SAME}.", PRINT),
     "lelas2024:claim.integral-of-sin-cubed": (
         "Section VI", "Over a period sin^3 integrates to 0; the loss needs |sin|^3.",
-        "nothing: (52) has the right average", PRINT),
-    "lelas2024:claim.slope-small": (
-        "Text below (11)", "The dot is lost; two lines earlier it is there.", NONE, GARBLED),
-    "lelas2024:claim.integrated-rate": ("Text below (31)", "A fraction with a root was read twice.", NONE, GARBLED),
-    "lelas2024:claim.slope-of-line": ("Text below (32)", "A fraction with a root was read twice.", NONE, GARBLED),
-    "lelas2024:claim.stop-time-section-3": ("Text below (33)", "The root has lost its extent.", NONE, GARBLED),
-    "lelas2024:claim.stop-time-section-5": ("Section V", "The root has lost its extent.", NONE, GARBLED),
+        f"{SAME}: (52) has the right mean.", PRINT),
     "smith2012:34": (
-        "Eq. (34)", "With this sign (32) and (33) are not constant: damping lowers the frequency.",
-        "the sign, wherever (34) is used", UNDECIDED),
+        "Eq. (34)", "With this sign (32) and (33) are not constant; damping lowers the frequency.",
+        "Changes the frequency of the viscous example; nothing later uses it.", UNDECIDED),
     "smith2012:claim.integrating-factors": (
         "Text above (38a)", "The upper sign belongs to v < 0, as (38a) prints it.", RIGHT_IN_50, PRINT),
-    "smith2012:38b": ("Eq. (38b)", "The two signs are exchanged against (36) and (38a).", RIGHT_IN_50, PRINT),
-    "smith2012:40": ("Eq. (40)", "The two signs are exchanged, as in (38b).", RIGHT_IN_50, PRINT),
+    "smith2012:38b": ("Eq. (38b)", "The signs of the exponent are exchanged against (38a).", RIGHT_IN_50, PRINT),
+    "smith2012:40": (
+        "Eq. (40)", "The signs of the exponent are exchanged, as in (38b).", RIGHT_IN_50, PRINT),
     "smith2012:48": (
-        "Eq. (48)", "(50) at w = 0 and (49) have the other sign.", "nothing: (49) and (50) are right in it", UNDECIDED),
+        "Eq. (48)", "(50) at w = 0 and the first term of (49) have the other sign.",
+        f"{SAME}: (49) and (50) have the right sign.", UNDECIDED),
     "smith2012:49": (
-        "Eq. (49)", "The second term is (42), with +1/4.", "nothing: Table I is computed with +1/4", PRINT),
-    "smith2012:51": ("Eq. (51)", "The factor 1/4 of (42) and (48) is lost.", UNSEEN, PRINT),
-    "smith2012:52a": ("Eq. (52a)", "The factor -1/4 of (42) is lost.", UNSEEN, PRINT),
-    "smith2012:52b": ("Eq. (52b)", "The factor 1/4 of (48) is lost.", UNSEEN, PRINT),
+        "Eq. (49)", "The second term is (42), with + 1/4.", f"{SAME}: Table I is computed with + 1/4.", PRINT),
+    "smith2012:51": (
+        "Eq. (51)", "The factor 1/4 of (42) and (48) is lost.",
+        "Changes u_2: as printed it gives 0.460, and Table I has 0.263568.", PRINT),
+    "smith2012:52a": ("Eq. (52a)", "The factor -1/4 of (42) is lost.", OTHERS_TELL, PRINT),
+    "smith2012:52b": ("Eq. (52b)", "The factor 1/4 of (48) is lost.", OTHERS_TELL, PRINT),
     "smith2012:table1.S3": (
-        "Table I, S_3", "A difference of two constants that were rounded before.", "the sixth decimal", PRINT),
+        "Table I, S_3", "The printed digits are the difference of 0.235335 and 0.101501, both rounded.",
+        "Changes the sixth decimal.", PRINT),
     "smith2012:table1.S5": (
-        "Table I, S_5", "A difference of two constants that were rounded before.", "the sixth decimal", PRINT),
+        "Table I, S_5", "The printed digits are the difference of 0.243090 and 0.101501, both rounded.",
+        "Changes the sixth decimal.", PRINT),
     "smith2012:54": (
         "Eq. (54)", "A factor 2 is lost, which (72) has; and v < 0 gives the minus.",
-        "the quadrature, if it is used as printed", PRINT),
-    "smith2012:55": ("Eq. (55)", "A factor 2 is lost, as in (54).", "the period, if it is computed from it", PRINT),
+        "Changes every time: as printed the radicand is negative at the turning points.", PRINT),
+    "smith2012:55": (
+        "Eq. (55)", "A factor 2 is lost, as in (54).",
+        "Changes the period: as printed the radicand is negative at both ends.", PRINT),
     "smith2012:62b": (
-        "Eq. (62b)", "k = 1 must come with a plus, as (62a) has it; (60b) is 2/3.",
-        "the sign of every coefficient, if computed from it", UNDECIDED),
+        "Eq. (62b)", "k = 1 comes with a plus, as (62a) has it: by (60b) the first value is + 2/3.",
+        "Changes the sign of each column, computed from the one before.", UNDECIDED),
     "smith2012:63": (
-        "Eq. (63)", "The superscript on the left must be n: 2m+1 is never even.", "nothing: the values are right",
+        "Eq. (63)", "The superscript on the left must be n: 2m+1 is never even.", f"{SAME}: the values are right.",
         UNDECIDED),
     "smith2012:claim.not-identifiable": (
-        "Text below (68)", "Every column sums to rational functions and one arctangent.",
-        "the conclusion: the sums are elementary for every i", PRINT),
+        "Text below (68)", "Each column sums to a rational function and one times an arctangent.",
+        "Changes the conclusion: the sums are elementary for every i.", PRINT),
     "smith2012:72": (
         "Eq. (72)", "The factor 3 is 4, and both terms change sign, since v < 0 on these half-cycles.",
-        "the curve of Fig. 5, if it is drawn from (72)", PRINT),
-    "smith2012:56b": ("Eq. (56b)", "Two lines ran into each other.", NONE, GARBLED),
-    "smith2012:56c": ("Eq. (56c)", "The numerators before the integrals are lost.", NONE, GARBLED),
+        "Changes the curve: as printed it runs backwards in time.", PRINT),
+    "smith2012:56b": ("Eq. (56b)", "The denominator of the integral stands in the next line.", f"{SAME}.", GARBLED),
+    "smith2012:56c": ("Eq. (56c)", "Of (56b) the denominators stand here without numerators.", f"{SAME}.", GARBLED),
 }  # fmt: skip
 
 

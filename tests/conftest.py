@@ -40,7 +40,7 @@ WALKS = (  # over the syntax trees of all sources, which a process parses once
 
 
 LONGEST = (  # minutes each: what begins last ends last, on one core
-    "tests/identification/test_coverage.py::test_coverage_on_a_thousand_records",
+    "tests/decays/identification/test_coverage.py::test_coverage_on_a_thousand_records",
     "tests/derivations/test_alterations.py::test_every_line_with_a_side_altered_stops[multiple-scales-quadratic]",
 )
 

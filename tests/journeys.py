@@ -15,8 +15,8 @@ from pathlib import Path
 from types import FrameType
 
 import asymptotics as asy
-from asymptotics.cli.main import run
 from asymptotics.motions.reference import ROUTES as STATES
+from asymptotics.shell.main import run
 from asymptotics.turning.routes import ROUTES
 from benchmarks.bound_sites import arithmetic_of
 from tests.sources import tree

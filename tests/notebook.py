@@ -2,6 +2,7 @@
 
 A notebook with one cell for each result type (``tests/present/every_type.py``) is run by nbclient in a kernel of its
 own; each cell must leave HTML with the verdict first, LaTeX and a few lines of text, no error and nothing on stderr.
+The notebook that a lecture begins with (one figure of each paper, which Sphinx has written) is run in the same way.
 The executed notebook and a page of what it shows are written to DIR; where Chromium is installed the page is looked at,
 at the width of a desktop and of a phone.
 """
@@ -17,21 +18,40 @@ from tests.docs_drawn import LOOK, WIDTHS
 from tests.paper_checks.drawing import missing, start
 from tests.present.every_type import SAMPLES, SETUP
 
+LECTURE = Path(__file__).parents[1] / "docs/auto_gallery/plot_00_figures_of_the_papers.ipynb"
 HEAD = """<!doctype html><meta charset="utf-8"><title>Every result in a notebook</title>
 <style>body{font-family:sans-serif;margin:1rem} article{border-top:1px solid #ccc;overflow-x:auto}
 table{border-collapse:collapse} td,th{padding:.1rem .6rem;text-align:right} img{max-width:100%;height:auto}</style>
 """
 
 
-def executed() -> nbformat.NotebookNode:
-    """The notebook after its run; an error in a cell is an error here."""
+def results() -> nbformat.NotebookNode:
+    """The notebook of all results."""
     cells = [nbformat.v4.new_code_cell(SETUP), *(nbformat.v4.new_code_cell(text) for text in SAMPLES.values())]
-    notebook = nbformat.v4.new_notebook(cells=cells)
+    return nbformat.v4.new_notebook(cells=cells)
+
+
+def executed(notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
+    """The notebook after its run; an error in a cell is an error here."""
     with tempfile.TemporaryDirectory() as folder:
         place = {"metadata": {"path": folder}}
         quiet = ["--IPKernelApp.log_level=ERROR"]  # it warns of its own port, which is open on this machine alone
         NotebookClient(notebook, extra_arguments=quiet, timeout=240, resources=place).execute()
     return notebook
+
+
+def of_a_lecture(folder: Path) -> list[str]:
+    """What is wrong with the notebook of the figures, run: a picture and its numbers for each paper, a quiet kernel."""
+    if not LECTURE.exists():
+        return [f"{LECTURE.name} is not there: the pages of the docs are built first"]
+    notebook = executed(nbformat.read(LECTURE, as_version=4))
+    nbformat.write(notebook, folder / LECTURE.name)
+    outputs = [out for cell in notebook.cells if cell.cell_type == "code" for out in cell.outputs]
+    pictures = sum("image/png" in out.get("data", {}) for out in outputs)
+    told = [out.text for out in outputs if out.output_type == "stream" and out.name == "stdout"]
+    loud = [f"stderr: {out.text[:200]}" for out in outputs if out.get("name") == "stderr"]
+    papers = [] if (pictures, len(told)) == (3, 3) else [f"{pictures} pictures and {len(told)} texts of three papers"]
+    return [f"{LECTURE.name}: {line}" for line in (*loud, *papers)]
 
 
 def fault(outputs: list[nbformat.NotebookNode]) -> str:
@@ -77,11 +97,12 @@ def looked_at(path: Path) -> list[str]:
 def main(folder: Path) -> int:
     """Run, judge, write, look; the number of faults."""
     assert fault([]) and fault([nbformat.v4.new_output("stream", name="stderr", text="x")])  # it can fail
-    notebook = executed()
+    folder.mkdir(parents=True, exist_ok=True)
+    notebook = executed(results())
     outputs = dict(zip(SAMPLES, (cell.outputs for cell in notebook.cells[1:]), strict=True))
     found = [f"{name}: {told}" for name, outs in outputs.items() if (told := fault(outs))]
-    folder.mkdir(parents=True, exist_ok=True)
     nbformat.write(notebook, folder / "results.ipynb")
+    found += of_a_lecture(folder)
     shown = {name: outs[-1].data["text/html"] for name, outs in outputs.items() if not fault(outs)}
     (folder / "results.html").write_text(page(shown), encoding="utf-8")
     absent = missing("chromium")

@@ -10,14 +10,15 @@ from itertools import count
 
 import pytest
 
-from asymptotics import budget as module
-from asymptotics import public
-from asymptotics.budget import budget, require_seconds, seconds_left, tick
-from asymptotics.cli import clock
-from asymptotics.cli.commands import module_of
-from asymptotics.cli.main import COMMANDS, main
+from asymptotics.ask.registry import QUESTIONS
 from asymptotics.costs import require_affordable
 from asymptotics.errors import LimitError
+from asymptotics.running import budget as module
+from asymptotics.running import public
+from asymptotics.running.budget import budget, require_seconds, seconds_left, tick
+from asymptotics.shell import clock
+from asymptotics.shell.asked import command_of
+from asymptotics.shell.main import main
 
 # Commands that may take long; the numbers are not used elsewhere in the tests, so that no cache answers.
 LONG = [
@@ -60,9 +61,9 @@ def test_the_work_of_every_command_asks_for_the_time(line, ticking, capsys):
 
 def test_every_command_that_may_take_long_has_a_budget():
     without = {"sweep"}  # it is resumed, and each point has its own budget
-    for command in COMMANDS:
+    for command in QUESTIONS:
         parser = argparse.ArgumentParser()
-        module_of(command).configure(parser)
+        command_of(command).configure(parser)
         assert ("--max-seconds" in parser.format_help()) == (command not in without), command
 
 
@@ -179,9 +180,9 @@ def test_beside_other_threads_the_ticks_alone_count():
 )
 def test_no_command_runs_twice_as_long_as_it_may(line, tmp_path):
     """A fast machine may answer within its two seconds; nobody takes four."""
-    start_up = _seconds([sys.executable, "-m", "asymptotics.cli.main", "moment", "--p", "1/2"])
+    start_up = _seconds([sys.executable, "-m", "asymptotics.shell.main", "moment", "--p", "1/2"])
     arguments = [*line.format(folder=tmp_path).split(), "--max-seconds", "2"]
-    assert _seconds([sys.executable, "-m", "asymptotics.cli.main", *arguments]) < 4 + start_up
+    assert _seconds([sys.executable, "-m", "asymptotics.shell.main", *arguments]) < 4 + start_up
 
 
 def _seconds(command):

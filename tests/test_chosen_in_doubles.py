@@ -18,7 +18,7 @@ ROOMS = (
     "envelopes",
     "expansions",
     "flow",
-    "identification",
+    "decays/identification",
     "limit_cycles",
     "motions",
     "numbers",

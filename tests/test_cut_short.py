@@ -10,9 +10,9 @@ from importlib import import_module
 import pytest
 
 import asymptotics as asy
-from asymptotics.cli.main import main
-from asymptotics.cut_short import done
 from asymptotics.errors import LimitError
+from asymptotics.running.cut_short import done
+from asymptotics.shell.main import main
 
 
 def OVER():
@@ -111,9 +111,14 @@ COMPARED = {  # the file, what it is held against; what is cut at which call, ho
         "--alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5",
         *("asymptotics.turning.table.proved_point", 3, 2),
     ),
-    "n,x\n5000,0.1\n0,1\n": ("--alpha 2 --epsilon 1", "asymptotics.comparison.truth.turning_points", 2, 1),
+    "n,x\n5000,0.1\n0,1\n": ("--alpha 2 --epsilon 1", "asymptotics.decays.comparison.truth.turning_points", 2, 1),
     "tau,x,v\n20,0.5,0\n0,1,0\n5,0.2,0.9\n": ("--alpha 3/2 --epsilon 1/10", "asymptotics.flow.dense._swing", 3, 2),
-    "tau,x\n1,0.5\n2,-0.3\n3,-0.9\n": ("--alpha 0 --epsilon 1/100", "asymptotics.comparison.run.turning_points", 1, 3),
+    "tau,x\n1,0.5\n2,-0.3\n3,-0.9\n": (
+        "--alpha 0 --epsilon 1/100",
+        "asymptotics.decays.comparison.run.turning_points",
+        1,
+        3,
+    ),
     "tau,amplitude,phase\n0,1,0\n1,0.9,0\n2,0.8,0\n": (
         "--alpha 2 --epsilon 1/10",
         *("asymptotics.envelopes.first_order.certified_decimal", 5, 2),
@@ -184,7 +189,7 @@ def test_what_a_picture_has_computed_is_no_row_of_the_answer(capsys, monkeypatch
         stop_at(monkeypatch, "asymptotics.turning.routes.quadratic.proved_point", 3, OVER)
         return asy.turning_points({2: "1/7"}, 5)
 
-    monkeypatch.setattr("asymptotics.cli.files.pictured", drawn)
+    monkeypatch.setattr("asymptotics.shell.files.pictured", drawn)
     for line in ("damping --alpha 2 --epsilon 1/10", "turning-points --alpha 2 --epsilon 1 --count 2"):
         assert main([*line.split(), "--plot", str(tmp_path / "picture.svg")]) == 2
         told = capsys.readouterr()
@@ -224,7 +229,7 @@ def test_a_signal_keeps_what_is_done():
 MOTIONS = {  # which call of what is cut: behind those of the value itself
     "--alpha 3/2 --epsilon 1/10": ("asymptotics.flow.dense._swing", 10, OVER),
     "--law 3/2:1/10 --spring 3:1/5": ("asymptotics.flow.dense._swing", 10, KeyboardInterrupt),
-    "--alpha 0 --epsilon 1/100": ("asymptotics.api.motion_table.reference_motion", 6, OVER),
+    "--alpha 0 --epsilon 1/100": ("asymptotics.curves.motion_table.reference_motion", 6, OVER),
 }
 
 

@@ -13,7 +13,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import asymptotics as asy
-from asymptotics.cli.main import main
+from asymptotics.shell.main import main
 from derivations.__main__ import names
 from paper_checks.mathml import to_mathml, whole
 

@@ -8,7 +8,7 @@ from time import process_time
 import pytest
 from scipy.integrate import solve_ivp
 
-from asymptotics.cli.main import main
+from asymptotics.shell.main import main
 from tests.extreme_requests import FAMILIES, requests
 
 PATIENT, BRIEF = 60, 6

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from asymptotics.cli.main import main
+from asymptotics.shell.main import main
 
 PAGE = (Path(__file__).parents[1] / "docs/symbols.md").read_text(encoding="utf-8")
 KNOWN = {

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from asymptotics.cli.main import main
+from asymptotics.shell.main import main
 
 INPUTS = json.loads(Path(__file__).with_name("hard_inputs.json").read_text())
 

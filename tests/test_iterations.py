@@ -16,7 +16,11 @@ from tests.sources import tree
 
 ROOT = Path(__file__).parents[1] / "asymptotics"
 ROOMS = ("bounds", "envelopes", "expansions", "flow", "limit_cycles", "motions", "numbers", "return_map", "turning")
-ROOMS += ("comparison", "equivalent", "identification/certified_sets")  # the rest of identification is an estimate
+ROOMS += (
+    "decays/comparison",
+    "equivalent",
+    "decays/identification/certified_sets",
+)  # the rest of identification is an estimate
 HARMLESS = {
     "envelopes/large.py:_newton": "the time reached is integrated anew up to the place returned, and enclosed after",
     "expansions/half_swings/finite_majorant.py:_fixed_point": "an oracle in doubles, or inf; checked in balls",
@@ -27,9 +31,9 @@ HARMLESS = {
     "flow/slow_manifold/slow_curve.py:solve": "the interval about the last place must hold its own image",
     "turning/energy_primitive.py:_guess": "the signs on both sides enclose the root",
     "flow/wells/trapping_regions.py:_held": "a bisection whose two ends are proved, however near they are",
-    "identification/certified_sets/central_point.py:chebyshev_point": "a choice: balls prove what is made of it",
-    "identification/certified_sets/physical.py:physical_box": "the boxes left hold every solution in each round",
-    "identification/certified_sets/set_valued.py:_smallest_box": "the box holds every solution after each round",
+    "decays/identification/certified_sets/central_point.py:chebyshev_point": "a choice: balls prove what is made of it",
+    "decays/identification/certified_sets/physical.py:physical_box": "the boxes left hold every solution in each round",
+    "decays/identification/certified_sets/set_valued.py:_smallest_box": "the box holds every solution after each round",
     "flow/wells/expansion.py:_majorant": "the bound that comes out is checked against its own equation",
 }
 CAPPED = {

@@ -14,9 +14,10 @@ import pytest
 
 import asymptotics as asy
 import asymptotics.made_by as module
-from asymptotics.cli.commands import module_of
-from asymptotics.cli.main import COMMANDS, main
+from asymptotics.ask.registry import QUESTIONS
 from asymptotics.made_by import LIBRARIES, code, commit, made_by, mark, versions
+from asymptotics.shell.asked import command_of
+from asymptotics.shell.main import main
 from asymptotics.sweeps import Grid, sweep
 from asymptotics.sweeps.workers import OtherCodeError, run_batch
 from paper_checks.command import run as paper_checks
@@ -50,11 +51,11 @@ MORE = [("table", "output", end) for end in (".csv", ".json", ".tex")] + [("swee
 
 def options_of(command):
     parser = argparse.ArgumentParser()
-    module_of(command).configure(parser)
+    command_of(command).configure(parser)
     return {o[2:] for a in parser._actions if a.help != argparse.SUPPRESS for o in a.option_strings}
 
 
-WRITTEN = [(c, kind, end) for c in COMMANDS for kind, end in KINDS.items() if kind in options_of(c)] + MORE
+WRITTEN = [(c, kind, end) for c in QUESTIONS for kind, end in KINDS.items() if kind in options_of(c)] + MORE
 
 
 @pytest.fixture
@@ -92,10 +93,10 @@ def test_every_output_says_which_code_made_it(command, kind, end, data, tmp_path
 
 def test_no_option_that_writes_is_forgotten():
     """Pictures depend on nothing but their data; ``list`` and ``dask`` are read."""
-    named = {name for c in COMMANDS for name in options_of(c)}
+    named = {name for c in QUESTIONS for name in options_of(c)}
     files = {name for name in named if re.search("csv|html|output|export|store|report|save|file|json|write", name)}
     assert files - set(KINDS) == set()
-    assert set(LINES) == set(COMMANDS)
+    assert set(LINES) == set(QUESTIONS)
 
 
 def test_the_report_on_the_papers_says_it(monkeypatch, capsys):

@@ -13,11 +13,11 @@ from time import monotonic
 import pytest
 
 import asymptotics as asy
-from asymptotics import budget as module
-from asymptotics import public
-from asymptotics.budget import budget, seconds_left, tick
 from asymptotics.errors import InputError, LimitError
 from asymptotics.numbers.context import alone
+from asymptotics.running import budget as module
+from asymptotics.running import public
+from asymptotics.running.budget import budget, seconds_left, tick
 from asymptotics.testing import oracles
 from tests.test_public_calls import FUNCTIONS, public_results
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from asymptotics.cli.main import main
+from asymptotics.shell.main import main
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text()

@@ -82,7 +82,7 @@ OPTIONS = [
 
 @pytest.mark.parametrize("option", OPTIONS)
 def test_code_in_an_option_is_text(option: str, tmp_path, monkeypatch, capsys):
-    from asymptotics.cli.main import main  # noqa: PLC0415 (the walk above needs no library)
+    from asymptotics.shell.main import main  # noqa: PLC0415 (the walk above needs no library)
 
     monkeypatch.chdir(tmp_path)
     for nasty in NASTY:

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+from functools import cache
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from flint import acb, arb
 
 import asymptotics as asy
 from asymptotics.numbers.alike import key
+from tests.present import every_type
 
 OSC = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
 STARTED = asy.Oscillator({2: "1/10"}, x0="3/5", v0="-4/5")
@@ -34,7 +36,7 @@ MADE = {
     "Motion": [lambda: asy.motion(OSC), lambda: asy.motion(OSC).at(7), lambda: asy.motion(OSC).sample([0.0, np.nan]),
                lambda: asy.motion({2: "1/10"}).uniform_bound()],
     "Oscillator": [lambda: OSC, lambda: OSC.dimensionless, lambda: PENDULUM],
-    "OscillatorTurningPoints": [lambda: asy.turning_points(OSC, 3), lambda: asy.turning_points(OSC, 3).points[0]],
+    "TurningPoints": [lambda: asy.turning_points(OSC, 3), lambda: asy.turning_points(OSC, 3).points[0]],
     "PaperStatement": [lambda: asy.paper("smith2012:43")],
     "PhysicalLaw": [lambda: OSC.law],
     "Reference": [lambda: asy.reference(OSC), lambda: asy.reference(OSC).at(1, digits=8),
@@ -64,7 +66,7 @@ MADE = {
     "sweep": [],
     "table": [lambda: asy.table("smith2012.table1", digits=8)],
     "table_names": [asy.table_names],
-    "turning_points": [lambda: asy.turning_points({2: 1}, 3)],
+    "turning_points": [lambda: asy.turning_points({2: 1}, 3), lambda: asy.turning_points({2: 1}, 3).certificate()],
     "waveforms": [lambda: asy.waveforms("3/2", order=2), lambda: asy.solution({2: "1/10"}).waveforms],
 }  # fmt: skip
 # Their results are those of another name; what they return besides is None, a figure or a text; and errors are their
@@ -146,3 +148,23 @@ def test_radii_come_back_exactly():
         for exponent in (-156, 0, 40):
             x = arb((-24070053663323292899311606104569099541, -128), (man, exponent))
             assert key(pickle.loads(pickle.dumps(x))) == key(x)
+
+
+@cache
+def _made_twice() -> tuple[dict, dict]:
+    spaces: tuple[dict, dict] = ({}, {})
+    for space in spaces:
+        exec(every_type.SETUP, space)
+    return spaces
+
+
+@pytest.mark.parametrize("name", every_type.SAMPLES)
+def test_one_of_every_type_is_the_same_again(name):
+    """The list by types, which a new type enters or its own test fails; the list above is by names of calls."""
+    one, other = (eval(every_type.SAMPLES[name], space) for space in _made_twice())
+    assert every_type.name_of(type(one)) == name
+    # A sweep has its folder's name in it, and the two folders differ.
+    if name != "sweeps.run.SweepResult":
+        same(one, other)
+    for again in AGAIN.values():
+        same(one, again(one))

@@ -19,18 +19,22 @@ ROOT = Path(__file__).parents[1]
 LAYERS = [  # a module may import its own room and what stands before it; a room within a room has a line of its own
     "errors",
     "made_by",
-    "budget",
-    "cut_short",
+    "running",
+    "running.budget",
+    "running.cut_short",
     "present",
     "costs",
     "gauges",
     "numbers",
-    "public",
+    "running.public",
+    "running.progress",
     "series",
     "graded",
     "expansions.moments",
     "terms",
     "law",
+    "law_given",
+    "frames",
     "expansions",
     "expansions.half_swings",
     "expansions.divergence",
@@ -50,25 +54,26 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "bounds",
     "motions.invariants",
     "papers",
-    "tables",
     "testing",
     "certificates",
+    "tables",
     "sweeps",
-    "records",
-    "comparison",
+    "decays",
+    "decays.records",
+    "decays.comparison",
     "equivalent",
-    "identification.forward",
-    "identification.measuring",
-    "identification.fitting",
-    "identification.judging",
-    "identification.certified_sets",
-    "identification.telling",
-    "identification",
+    "decays.identification.forward",
+    "decays.identification.measuring",
+    "decays.identification.fitting",
+    "decays.identification.judging",
+    "decays.identification.certified_sets",
+    "decays.identification.telling",
+    "decays.identification",
     "curves",
-    "api",
     "ask",
     "ask.questions",
-    "cli",
+    "running.memory",
+    "shell",
 ]
 TOP = {"asymptotics": [], "derivations": ["asymptotics"], "paper_checks": ["asymptotics", "derivations"]}
 
@@ -116,18 +121,15 @@ def test_data_flows_one_way():
 
 
 LATE = {  # what a function loads only when it is asked, and why: none of them dodges a cycle
-    "asymptotics/cli/again_envelope.py": "the command whose file is compared: of all commands one is loaded",
-    "asymptotics/cli/again_law.py": "the same",
-    "asymptotics/cli/commands.py": "what a question needs, where one is asked: a list of commands needs none of it",
-    "asymptotics/cli/completion.py": "names of tables and papers, where a shell asks for them",
-    "asymptotics/cli/entry.py": "everything, inside the shell that answers interrupts",
+    "asymptotics/shell/completion.py": "names of tables and papers, where a shell asks for them",
+    "asymptotics/shell/entry.py": "everything, inside the shell that answers interrupts",
     "asymptotics/ask/questions/expand.py": "NumPy, which expand does not need",
-    "asymptotics/cli/main.py": "SymPy, which --help, --version and --completion do not need",
+    "asymptotics/shell/main.py": "SymPy, which --help, --version and --completion do not need",
     "asymptotics/ask/questions/multiple_scales.py": "NumPy and splines, where values of waveforms are asked for",
     "asymptotics/ask/questions/smith.py": "SymPy, which f and c do not need",
-    "asymptotics/cli/standard_tables.py": "everything, inside the shell that answers interrupts",
+    "asymptotics/shell/standard_tables.py": "everything, inside the shell that answers interrupts",
     "asymptotics/expansions/equations/result.py": "NumPy, which printing does not need",
-    "asymptotics/identification/identify.py": "the expansions in balls, most of a second, for printed decrements",
+    "asymptotics/decays/identification/identify.py": "the expansions in balls (most of a second) of decrements",
     "asymptotics/papers/statement.py": "SymPy, which looking a statement up does not need",
     "asymptotics/return_map/panels.py": "NumPy, where collocation pays",
 }
@@ -289,9 +291,8 @@ def test_one_place_for_the_version():
 
 def test_the_command_line_starts_without_heavy_libraries():
     heavy = "{'sympy', 'matplotlib', 'scipy', 'numpy'}"
-    code = (
-        f"import sys, asymptotics.cli.main, asymptotics.ask.questions.smith; print(sorted({heavy} & set(sys.modules)))"
-    )
+    modules = "asymptotics.shell.main, asymptotics.ask.questions.smith"
+    code = f"import sys, {modules}; print(sorted({heavy} & set(sys.modules)))"
     output = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert output.strip() == "[]"
 

@@ -5,7 +5,7 @@ import re
 import pytest
 
 import asymptotics as asy
-from asymptotics.cli.main import main
+from asymptotics.shell.main import main
 
 SAID = {
     "a word is no id": (

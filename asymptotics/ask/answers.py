@@ -6,7 +6,7 @@ itself says: ``str``, ``to_dict``, ``latex``, ``to_csv``, ``plot``.
 """
 
 import argparse
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -68,6 +68,28 @@ Part = Callable[[Any, Request], Any]
 
 
 @dataclass(frozen=True)
+class Again:
+    """How a table of a question is held against the same question at more digits (``again``).
+
+    ``keys``: columns by which a row is found; ``apart``: those of bounds and remarks, of which more digits say nothing.
+    ``at``: the point at which it is asked again; ``rows``: what is right in the place of a row.  Of a sweep: ``judged``
+    columns (none: all), and the ``route`` that judges them.  ``exact``: what it says is proved, though no field says
+    so.  ``compared``: an own way, of the words of the header, the head, the rows, the digits and the errors that
+    columns of doubles may have; ``words``: what such a header has besides the options.
+    """
+
+    keys: tuple[str, ...] = ("part", "series", "k", "quantity", "n", "i")
+    apart: frozenset[str] = frozenset(("remark", "low", "high"))
+    at: Callable[[Mapping[str, str], int], dict[str, str]] = lambda point, digits: {**point, "digits": str(digits)}
+    rows: Callable[[list[tuple[str, ...]], tuple[str, ...]], list[tuple[str, ...]]] = lambda rows, _: rows
+    judged: tuple[str, ...] = ()
+    route: str = ""
+    exact: bool = False
+    compared: Callable[..., Any] | None = None
+    words: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class Offers:
     """The parts of an answer; each function takes the result and the ``Request``.
 
@@ -83,11 +105,14 @@ class Offers:
     besides                 text that stands below, LaTeX or not
     typed                   refuses options that were typed and would have no effect
     failed                  whether a check has failed (exit code 1)
-    of_shell                what the shell calls in the place of the function, with its values
+    of_shell                what the shell calls with the ``Request`` in the place of the function
     more, instead           options of the shell alone; (data, text) in the place of an answer, without computing
     show                    an own way to show and write: refuses before the work, then makes (data, text) of the result
     certificate             what --certificate writes: something with to_json() (certificates.of_results)
     missing                 (rows done, what is missing) of what was done when the work was cut short
+    page                    what --html writes: one page
+    reads                   the parameter whose words are files that are read: no file is written over one of them
+    again                   how a table is held against its own request; None: its header does not name the request
     rows_done               (text, rows, what is missing) of the table, of the rows that were done when making it was
                             cut short; None of what is no such row
     inverse                 another ``Question``, asked in the place of this one where its first option is given
@@ -113,15 +138,29 @@ class Offers:
     typed: Callable[[Request], None] = lambda _: None
     failed: Part = lambda found, _: False
     besides: Part = lambda found, _: ""
-    of_shell: Callable[..., Any] | None = None
+    of_shell: Callable[[Request], Any] | None = None
     more: tuple[Option, ...] = ()
     instead: Callable[[Request], tuple[dict[str, Any], str] | None] = lambda _: None
     show: Callable[[Request], Callable[[Any], tuple[dict[str, Any], str]]] | None = None
     certificate: Part | None = None
+    page: Part | None = None
+    reads: str = ""
+    again: Again | None = Again()
     missing: Callable[[Any, Request], tuple[int, str]] | None = None
     rows_done: Callable[[Any, Request], tuple[str, int, str] | None] | None = None
     inverse: Any = None
     lacks: Mapping[str, str] = field(default_factory=dict)
+
+    def record(
+        self, found: Any, request: Request, latex: str = "", written: Sequence[str] | None = None
+    ) -> dict[str, Any]:
+        """The answer as JSON, with its LaTeX and the files that were written."""
+        data = dict(self.data(found, request))
+        if latex and not self.own_latex:
+            data["latex"] = latex
+        if written or self.always_files:
+            data["files"] = [*(written or ())]
+        return data
 
     def options(self) -> tuple[Option, ...]:
         """The options of the shell that these parts make."""
@@ -138,6 +177,8 @@ class Offers:
             ]
         if self.overlay:
             found.append(Option("overlay", "LAW", self.overlay, "output", repeated=True))
+        if self.page is not None:
+            found.append(Option("html", "FILE", "one page: verdict, pictures, laws, data, provenance", "output"))
         if self.table:
             found.append(Option("csv", "FILE", f"{self.table}, as a table of columns", "output"))
         if self.certificate is not None:

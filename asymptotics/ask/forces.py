@@ -9,12 +9,11 @@
 
 Where a command needs no strengths, ``:E`` and ``:C`` may be left out.  M and P are integers, A and Q any real numbers.
 
->>> parser = argparse.ArgumentParser()
->>> add_forces(parser, "epsilon", "E", "the strength")
->>> given = parser.parse_args(["--law", "0:1/20", "--law", "3/2,2:0.1", "--spring", "3:-1/6"])
->>> print(read_law(given, "epsilon"))
+>>> given = {"alpha": None, "epsilon": None, "law": ["0:1/20", "3/2,2:0.1"], "spring": ["3:-1/6"]}
+>>> print(read_law(argparse.Namespace(**given), "epsilon"))
 1/20 sign(x') + 1/10 x^2 x'|x'|^(1/2) - 1/6 x^3
->>> [str(t) for t in read_terms(parser.parse_args(["--alpha", "2", "--spring", "pendulum"])).terms]
+>>> given = {"alpha": "2", "epsilon": None, "law": None, "spring": ["pendulum"]}
+>>> [str(t) for t in read_terms(argparse.Namespace(**given)).terms]
 ["x'|x'|", '(sin x - x)']
 """
 
@@ -61,25 +60,6 @@ class GivenTerms:
     def to_list(self) -> list[dict[str, str | int]]:
         """The terms as JSON data, without strengths."""
         return [{k: v for k, v in t.to_dict().items() if k != "strength"} for t in self.terms]
-
-
-def add_forces(
-    parser: argparse.ArgumentParser,
-    strength: str = "epsilon",
-    letter: str = "E",
-    meaning: str = "",
-    *,
-    springs: bool = True,
-) -> None:
-    """The options --alpha, --``strength``, --law and (if the command knows them) --spring."""
-    meaning = meaning or "its strength: what delta is at the amplitude A"
-    parser.add_argument("--alpha", metavar="A", help=f"the exponent of the damping law, A >= 0: {FORMS_FROM_0}")
-    parser.add_argument(f"--{strength}", metavar=letter, help=meaning)
-    text = f"one term of a sum, repeated: its exponent and its strength; A,M:{letter} has the factor |x|^M"
-    parser.add_argument("--law", action="append", metavar=f"A[,M]:{letter}", help=text)
-    if springs:
-        text = "a spring c x|x|^(P-1) beside the linear one, repeated; P,Q:C has |x'|^Q as well; pendulum: sin x for x"
-        parser.add_argument("--spring", action="append", metavar="P[,Q]:C", help=text)
 
 
 def read_law(options: argparse.Namespace, strength: str, *, negative: bool = False) -> Law:

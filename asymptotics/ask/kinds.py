@@ -22,7 +22,7 @@ from typing import Any
 
 from asymptotics.errors import InputError, require_choice, require_flag, shown
 from asymptotics.numbers.exact import REAL_FORMS
-from asymptotics.numbers.policy import exact_integer, exact_number, exact_seconds
+from asymptotics.numbers.policy import exact_double, exact_integer, exact_number, exact_seconds
 
 COMPUTED = "what to compute"
 
@@ -32,6 +32,7 @@ class Option:
     """One option of the shell: its name without dashes, the letter of its value (none: a flag), its help.
 
     ``repeated``: it may be given again, ``several``: it takes one word or more, ``place``: it stands without its name;
+    ``rest``: it is all words behind a place;
     ``words``: the values that there are, for the completion of a shell.
     """
 
@@ -42,6 +43,7 @@ class Option:
     repeated: bool = False
     several: bool = False
     place: bool = False
+    rest: bool = False
     needed: bool = False
     dest: str = ""
     words: tuple[str, ...] = ()
@@ -54,6 +56,9 @@ class Option:
     def add_to(self, parser: Any) -> None:
         """Declare it; every value stays a text."""
         more: dict[str, Any] = {"help": self.help}
+        if self.rest:
+            parser.add_argument(self.key, metavar=self.letter, nargs=argparse.REMAINDER, **more)
+            return
         if self.place:
             count = "+" if self.several and self.needed else "*" if self.several else None if self.needed else "?"
             parser.add_argument(self.key, metavar=self.letter, nargs=count, **more).words = self.words
@@ -104,6 +109,17 @@ class Kind:
 
 
 REAL = Kind("A", exact_number, schema={"type": "string", "description": REAL_FORMS})
+
+
+def _positive(value: Any, name: str) -> float:
+    number = exact_double(value, name)
+    if not number > 0:
+        raise InputError(name, f"{shown(value)} is not positive", "a positive number")
+    return number
+
+
+POSITIVE = Kind("S", _positive)
+"""A double > 0: what is known of data, which a fit uses and no claim rests on."""
 FLAG = Kind("", require_flag, schema={"type": "boolean"})
 
 

@@ -12,13 +12,13 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
-from asymptotics.api.units import law_of
 from asymptotics.ask.forces import FORMS_FROM_0, GivenTerms, read_alpha, read_law, read_terms
 from asymptotics.ask.kinds import Kind, Option
 from asymptotics.ask.moving import QUANTITIES, Given, is_physical, read_moving, read_oscillator
 from asymptotics.errors import InputError
 from asymptotics.expansions.equations.given import terms_of
 from asymptotics.law import Law, Oscillator, of_unit_start
+from asymptotics.law_given import law_of
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.numbers.policy import exact_number
 from asymptotics.terms import Term

@@ -73,24 +73,6 @@ class Given:
         return name.replace("m", self.oscillator.unit) if name in ("m", "m/s") else name
 
 
-def add_physical(parser: argparse.ArgumentParser) -> None:
-    """The options that turn a command without units into one in SI: --damping, --mass, --stiffness."""
-    parser.add_argument("--damping", metavar="B", help="b in N (s/m)^alpha: SI units")
-    _add_constants(parser)
-
-
-def _add_constants(parser: argparse.ArgumentParser) -> None:
-    for name in PHYSICAL[1:]:
-        letter, default, text = QUANTITIES[name]
-        parser.add_argument(f"--{name}", metavar=letter, help=f"{text} (default {default}): SI units")
-
-
-def add_start(parser: argparse.ArgumentParser) -> None:
-    """The option of a start at rest: --x0."""
-    letter, default, text = QUANTITIES["x0"]
-    parser.add_argument("--x0", metavar=letter, help=f"{text} (default {default})")
-
-
 def is_physical(options: argparse.Namespace) -> bool:
     """Whether the command is in SI: whether --damping, --mass or --stiffness was given."""
     return any(getattr(options, name, None) is not None for name in PHYSICAL)

@@ -27,7 +27,8 @@ from asymptotics.ask.answers import FLAGS, Offers
 from asymptotics.ask.kinds import SECONDS, Kind, Option
 from asymptotics.errors import InputError
 from asymptotics.numbers.policy import float_notes
-from asymptotics.public import public, public_beside_others
+from asymptotics.running.budget import DEFAULT_SECONDS
+from asymptotics.running.public import public, public_beside_others
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -54,7 +55,7 @@ class Asked:
     def option(self) -> Option:
         """The one option of the shell that sets it."""
         kind, told = self.kind, self.help + self.kind.told
-        unsaid = self.default is None or self.default is False or self.default in (inspect.Parameter.empty, "")
+        unsaid = self.default is None or self.default is False or self.default in (inspect.Parameter.empty, "", ())
         default = kind.default or ("" if unsaid or kind.needed else self.default)
         if told.count("(") > told.count(")"):
             told += f"; default {default})" if default != "" else ")"
@@ -88,6 +89,13 @@ class Question:
         return next(a for a in self.asked if a.name == name)
 
     @property
+    def in_header(self) -> bool:
+        """Whether the header of its table names the request."""
+        again = self.offers.again
+        own = again is not None and bool(self.offers.table or again.words)
+        return own and not self.offers.oscillator_alone
+
+    @property
     def options(self) -> tuple[Option, ...]:
         """Every option of the command, in the order of its help."""
         own = tuple(o for a in self.asked for o in a.options)
@@ -104,12 +112,18 @@ class Question:
     def add_to(self, parser: argparse.ArgumentParser, refuse: type[argparse.Action] | None = None) -> None:
         """Declare the options under their headings, then those that mean nothing here, hidden, each with its reason."""
         options = self.options
+        if any(o.rest for o in options):  # what is needed may stand among the rest: it is asked for when it is read
+            options = tuple(replace(o, needed=o.needed and o.place) for o in options)
         for option in (o for o in options if o.place):
             option.add_to(parser)
         for title in GROUPS:
             group = parser.add_argument_group(title)
             for option in (o for o in options if o.group == title and not o.place):
                 option.add_to(group)
+        for a in self.asked:
+            # The shell times a request before its values are read: a question with a time of its own says so here.
+            if a.name == "max_seconds" and a.default not in (None, DEFAULT_SECONDS):
+                parser.set_defaults(max_seconds=str(a.default))
         if refuse is not None:
             for name, reason in self.offers.lacks.items():
                 count: Any = 0 if name in FLAGS else "?"
@@ -184,11 +198,16 @@ class Question:
         }  # fmt: skip
 
     def in_python(self, error: InputError) -> InputError:
-        """The same error with the shell's name of an argument (FILE, --count) turned into that of the parameter."""
+        """The same error with the shell's names of arguments (FILE, --count) turned into those of the parameters.
+
+        In its reason and in what it accepts as well: ``--columns t=1,x=2`` is ``columns t=1,x=2``.
+        """
         called = {self.spelled(a.name): a.name for a in self.asked if not a.kind.options}
-        if error.argument not in called:
+        argument = called.get(error.argument, _in_python(error.argument, called))
+        texts = (argument, *(_in_python(text, called) for text in (error.reason, error.accepted)))
+        if texts == (error.argument, error.reason, error.accepted):
             return error
-        same = type(error)(called[error.argument], error.reason, error.accepted)
+        same = type(error)(*texts)
         return same.with_traceback(error.__traceback__)
 
     def feeds(self) -> dict[str, tuple[str, ...]]:
@@ -198,6 +217,17 @@ class Question:
 
 
 OPTIONS = "the options of the shell"  # no name of a parameter
+_SPELLED = re.compile(r"(?<![\w-])(?:--[a-z][a-z0-9-]*|[A-Z]{4,})(?![\w-])")
+
+
+def _in_python(text: str, called: Mapping[str, str]) -> str:
+    """Words of the shell in a text as Python has them: options without their dashes, FILE by its parameter."""
+
+    def name(found: re.Match[str]) -> str:
+        word = found[0]
+        return called.get(word, word[2:].replace("-", "_") if word.startswith("--") else word)
+
+    return _SPELLED.sub(name, text)
 
 
 def question(
@@ -253,7 +283,8 @@ def _question(function: Callable[..., Any], offers: Offers, name: str, swept: bo
 
 
 def _floats(made: Question, given: Mapping[str, Any]) -> tuple[str, ...]:
-    values = {a.name: given[a.name] for a in made.asked if not a.kind.options}
+    # Measured data are doubles: that they are read as such needs no note.
+    values = {a.name: given[a.name] for a in made.asked if not (a.kind.options or a.kind.words)}
     values = {name: v.tolist() if hasattr(v, "tolist") else v for name, v in values.items()}  # an array, a NumPy number
     several = {name: v if isinstance(v, list | tuple) else [v] for name, v in values.items()}
     return tuple(note for name, each in several.items() for v in each for note in float_notes(**{name: v}))

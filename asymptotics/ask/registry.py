@@ -1,7 +1,7 @@
 """All questions: the files of ``questions``, found there, each loaded when it is asked.
 
->>> "stokes" in QUESTIONS, loaded("stokes").name
-(True, 'stokes')
+>>> "stokes" in QUESTIONS, "stokes" in SWEPT, loaded("stokes").name
+(True, True, 'stokes')
 """
 
 import ast
@@ -13,18 +13,23 @@ if TYPE_CHECKING:  # a list of commands needs no question, and none of the libra
     from asymptotics.ask.question import Question
 
 _FOLDER = Path(__file__).parent / "questions"
-QUESTIONS = tuple(sorted(p.stem.replace("_", "-") for p in _FOLDER.glob("*.py") if not p.stem.startswith("_")))
+_FILES = {p.stem.strip("_").replace("_", "-"): p for p in sorted(_FOLDER.glob("*.py")) if not p.stem.startswith("__")}
+ANSWERING = tuple(_FILES)
+"""All of them; those in files with a leading underscore are asked by another command, and by the header of a file."""
+QUESTIONS = tuple(name for name in sorted(ANSWERING) if not _FILES[name].stem.startswith("_"))
+"""Those that are commands."""
+SWEPT = tuple(name for name in QUESTIONS if "swept=True" in _FILES[name].read_text(encoding="utf-8"))
+"""Those that answer one set of values with one record."""
 
 
 def summary(name: str) -> str:
     """The first line of its file, read without loading it."""
-    text = (_FOLDER / f"{name.replace('-', '_')}.py").read_text(encoding="utf-8")
-    line = (ast.get_docstring(ast.parse(text)) or "").partition("\n")[0]
+    line = (ast.get_docstring(ast.parse(_FILES[name].read_text(encoding="utf-8"))) or "").partition("\n")[0]
     return line.rstrip(".")
 
 
 def loaded(name: str) -> "Question":
     """The question of that name; its module, and what it needs, is loaded now."""
-    module = import_module(f"asymptotics.ask.questions.{name.replace('-', '_')}")
+    module = import_module(f"asymptotics.ask.questions.{_FILES[name].stem}")
     found: list[Question] = [v.__question__ for v in vars(module).values() if hasattr(v, "__question__")]
     return next(q for q in found if q.name == name)

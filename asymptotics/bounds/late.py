@@ -21,7 +21,6 @@ from flint import arb
 from asymptotics.bounds.flow import TruncatedFlow
 from asymptotics.bounds.local import BITS
 from asymptotics.bounds.turning import turning_bounds
-from asymptotics.budget import tick
 from asymptotics.errors import LimitError
 from asymptotics.flow.balls import size_of, upper
 from asymptotics.flow.damping import Damping
@@ -32,6 +31,7 @@ from asymptotics.flow.turning import TurningState
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.panels import Panels
 from asymptotics.return_map.sequence import Interpolated
+from asymptotics.running.budget import tick
 
 # A higher order is better at small strengths and has more coefficients, which sums multiply; where the three were
 # weighed is not recorded.  The theorem bounds the error at any of them.

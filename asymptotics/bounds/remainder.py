@@ -16,7 +16,7 @@ from asymptotics.law import LawLike
 from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.present.shown import Shown
-from asymptotics.public import public
+from asymptotics.running.public import public
 
 MAX_ORDER = 12
 

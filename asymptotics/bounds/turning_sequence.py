@@ -36,11 +36,11 @@ from flint import arb
 
 from asymptotics.bounds.local import BITS, LocalBounds, Remainder, local_bounds
 from asymptotics.bounds.turning import largest, sensitivity
-from asymptotics.budget import tick
 from asymptotics.errors import LimitError
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.extremes import greatest
+from asymptotics.running.budget import tick
 from asymptotics.series import Series
 
 

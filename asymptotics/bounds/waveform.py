@@ -33,7 +33,6 @@ import numpy as np
 from flint import arb
 
 from asymptotics.bounds.local import NEXT, Remainder, multinomial
-from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.quarter import half_swing
@@ -41,6 +40,7 @@ from asymptotics.expansions.normal_form.flow import Flow, flow_of
 from asymptotics.graded import power_part
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.running.budget import tick
 from asymptotics.series import Key, Series, accumulate, monomials, unit_key
 
 # Bounds of two digits on pieces a thousandth wide: rounding is far below the widths.

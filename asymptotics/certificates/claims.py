@@ -29,10 +29,14 @@ class Turned(Protocol):
     def x(self) -> str:
         """Its place."""
 
+    @property
+    def time(self) -> str | None:
+        """Its time, where it was asked for."""
+
 
 def turning_claim(point: Turned, digits: int) -> Claim:
     """The place of a turning point, and its time if it was printed (tau, or t in s)."""
-    time = getattr(point, "tau", None) or getattr(point, "t", None)
+    time = point.time
     return {"kind": "turning point", "number": point.n, "digits": digits, "x": point.x, "t": time}
 
 
@@ -41,7 +45,7 @@ def rest_claim(number: int) -> Claim:
     return {"kind": "rest", "number": number}
 
 
-def state_claim(t: Fraction, x: str, v: str, digits: int) -> Claim:
+def state_claim(t: Fraction, x: str | None, v: str | None, digits: int) -> Claim:
     """The state at an exact time since the start."""
     return {"kind": "state", "digits": digits, "t": str(t), "x": x, "v": v}
 
@@ -55,7 +59,8 @@ def error_allowed(claims: Iterable[Claim], stiffness: float) -> float:
                 continue
             unit = (Decimal(claim[name]).adjusted() - claim["digits"] + 1) * _LOG2_10
             # A turning point is as early or late as the error over the acceleration.
-            late = log2(stiffness * abs(float(claim["x"]))) if name == "t" and float(claim["x"]) else 0.0
+            place = 0.0 if name != "t" or claim["x"] is None else float(claim["x"])
+            late = log2(stiffness * abs(place)) if place else 0.0
             sizes.append(unit + min(0.0, late))
     return min(sizes) - _SHARE
 

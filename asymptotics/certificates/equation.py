@@ -63,6 +63,13 @@ class Equation:
         """What dry friction holds: the strengths of the exponent 0 together."""
         return sum((e for a, e in self.terms if a == 0), Fraction(0))
 
+    def exact_place(self, number: int) -> Fraction | None:
+        """The place of a turning point where rational arithmetic has it: under dry friction alone, from rest."""
+        if self.v0 != 0 or any(a != 0 for a, _ in self.terms):
+            return None
+        size = abs(self.x0) - 2 * number * self.friction / self.stiffness
+        return size if (number % 2 == 0) == (self.x0 > 0) else -size
+
     def holds(self, place: Fraction) -> bool:
         """Whether a mass at rest there stays."""
         return self.stiffness * abs(place) <= self.friction

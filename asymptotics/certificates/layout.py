@@ -13,12 +13,12 @@ from typing import Any
 
 from flint import arb
 
-from asymptotics.budget import tick
 from asymptotics.certificates.equation import Equation
 from asymptotics.certificates.pieces import longest, nearest, piece
 from asymptotics.certificates.series import Series, from_rest, in_motion
 from asymptotics.errors import LimitError
 from asymptotics.numbers.rationals import to_fmpq
+from asymptotics.running.budget import tick
 
 Pieces = Iterator[dict[str, Any]]
 MOST = 400

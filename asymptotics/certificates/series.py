@@ -19,10 +19,10 @@ from fractions import Fraction
 
 from flint import arb
 
-from asymptotics.budget import tick
 from asymptotics.certificates.equation import Equation
 from asymptotics.errors import LimitError
 from asymptotics.numbers.rationals import to_fmpq
+from asymptotics.running.budget import tick
 
 Powers = dict[int, arb]
 MOST = 1200

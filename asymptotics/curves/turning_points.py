@@ -7,26 +7,28 @@
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from flint import arb
 
-from asymptotics.cut_short import changed
+from asymptotics.certificates.certificate import Certificate
+from asymptotics.certificates.of_results import of_turning_points
 from asymptotics.errors import InputError
+from asymptotics.frames import BARE, frame_of
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.coulomb import exact_turning_points
 from asymptotics.motions.state_route import alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, bits_for, decimal_of, decimal_of_ball
-from asymptotics.numbers.digits import ball_of, spread
+from asymptotics.numbers.digits import ball_of
 from asymptotics.numbers.exact import ExactReal, square_root
+from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import at_growing_precision
-from asymptotics.numbers.value import Coefficient, number_of
-from asymptotics.present.drawn import Drawn
-from asymptotics.present.shown import Page, Rows, Shown
+from asymptotics.running.cut_short import changed
+from asymptotics.running.public import public
 from asymptotics.turning import choose
-from asymptotics.turning.result import Sequenced, TurningPoints, draw_sizes
+from asymptotics.turning.result import TurningPoint, TurningPoints
 from asymptotics.turning.table import MAX_DIGITS
 
 _SPARE, _DOUBLINGS = 23, 3  # bits: six digits more than are shown, and eight times as many bits at most
@@ -36,111 +38,25 @@ _MOST = (MAX_DIGITS + 10) << _DOUBLINGS
 """Digits of the route: ``MAX_DIGITS`` limits what is asked, not what is computed with."""
 
 
-def _letters(unit: str) -> dict[str, str]:
-    return {"x": f"place of turning point n in {unit}", "t": "its time in s since turning point 0"}
-
-
 @dataclass(frozen=True, repr=False)
-class OscillatorTurningPoint(Shown):
-    """The n-th turning point: x in ``unit`` with its sign, t in s since n = 0 (None if not asked for)."""
+class MotionTurningPoints(TurningPoints):
+    """Turning points, and the motion that they are of: ``moving``, with m = k = 1 where they have no units."""
 
-    n: int
-    x: str
-    t: str | None
-    certified: bool = field(default=False, repr=False, compare=False)
-    unit: str = "m"
+    moving: Oscillator = field(kw_only=True)
 
-    def number(self, name: str = "x") -> Coefficient:
-        """``x`` or ``t`` as a number: mpf, interval, ball; InputError if it is not certified or not there."""
-        return number_of(self, name)
+    @classmethod
+    def of(cls, moving: Oscillator, found: TurningPoints) -> "MotionTurningPoints":
+        """The same points, of this oscillator."""
+        return cls(**{f.name: getattr(found, f.name) for f in fields(found) if f.init}, moving=moving)
 
-    def _page(self) -> Page:
-        time = () if self.t is None else (("t", f"{self.t} s"),)
-        title = f"turning point {self.n}: x = {self.x} {self.unit}" + ("" if self.t is None else f", t = {self.t} s")
-        worth = "certified: every digit is proved" if self.certified else "not certified"
-        return Page(title, (worth,), ("", "value"), (("x", f"{self.x} {self.unit}"), *time))
+    @public
+    def certificate(self, *, max_seconds: Number = 60) -> Certificate:
+        """A file from which ``check_certificate.py``, a page of standard Python, proves every digit.
 
-    def _formula(self) -> str:
-        time = "" if self.t is None else rf",\quad t_{{{self.n}}} = {self.t}\,\mathrm{{s}}"
-        return rf"x_{{{self.n}}} = {self.x}\,\mathrm{{{self.unit}}}{time}"
-
-    def _letters(self) -> dict[str, str]:
-        return _letters(self.unit)
-
-
-@dataclass(frozen=True, repr=False)
-class OscillatorTurningPoints(Sequenced, Rows, Drawn):
-    """Turning points in SI units; ``dimensionless`` is the result they come from, and says how they were obtained."""
-
-    oscillator: Oscillator
-    digits: int
-    points: tuple[OscillatorTurningPoint, ...]
-    dimensionless: TurningPoints
-
-    @property
-    def unit(self) -> str:
-        """The unit of x: rad for a pendulum, else m."""
-        return self.oscillator.unit
-
-    @property
-    def certified(self) -> bool:
-        """Whether all digits are proved to be correctly rounded."""
-        return self.dimensionless.certified
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What was read or merged on the way."""
-        return self.dimensionless.notes
-
-    @property
-    def ended(self) -> dict[str, Any] | None:
-        """Where and why the sequence ends, or None."""
-        return self.dimensionless.ended
-
-    def to_dict(self) -> dict[str, Any]:
-        """JSON-ready: numbers are strings."""
-        points = [{"n": p.n, "x": p.x, "t": p.t} for p in self.points]
-        rest: dict[str, Any] = {"ended": self.ended, "certified": self.certified, "method": self.dimensionless.method}
-        rest |= {"notes": list(self.notes)}
-        return {"oscillator": self.oscillator.to_dict(), "units": {"x": self.unit, "t": "s"}, "points": points, **rest}
-
-    def __str__(self) -> str:
-        lines = [f"{p.n}  {p.x} {self.unit}" + (f"  {p.t} s" if p.t is not None else "") for p in self.points]
-        lines += [f"ended: {self.ended}"] if self.ended else []
-        return "\n".join([*lines, f"certified: {str(self.certified).lower()} ({self.dimensionless.method})"])
-
-    def _page(self) -> Page:
-        timed = any(p.t is not None for p in self.points)
-        rows = tuple((p.n, p.x, p.t) if timed else (p.n, p.x) for p in self.points)
-        known = "certified" if self.certified else "not certified"
-        worth = f"{known}, {self.digits} digits ({self.dimensionless.method})"
-        end = () if self.ended is None else (f"ended: {self.ended}",)
-        head = ("n", f"x [{self.unit}]", "t [s]")[: 3 if timed else 2]
-        return Page(f"{len(rows)} turning points of {self.oscillator}", (worth, *end, *self.notes), head, rows)
-
-    def _heading(self) -> str:
-        return f"turning points of {self.oscillator}"
-
-    def _curve(self, axes: Any, **style: Any) -> None:
-        draw_sizes(axes, self.points, f"|x| ({self.unit})", style)
-
-    def _table(self) -> dict[str, list[Any]]:
-        proved = self.certified
-        places = spread(f"x [{self.unit}]", [p.x for p in self.points], certified=proved)
-        columns = {"n": [p.n for p in self.points]} | places
-        timed = any(p.t is not None for p in self.points)
-        return columns | (spread("t [s]", [p.t for p in self.points], certified=proved) if timed else {})
-
-    def _letters(self) -> dict[str, str]:
-        return _letters(self.unit)
-
-    def _formula(self) -> str:
-        timed = any(p.t is not None for p in self.points)
-        rows = r" \\ ".join(f"{p.n} & {p.x}" + ("" if p.t is None else f" & {p.t}") for p in self.points)
-        head, columns = rf"n & x_n/\mathrm{{{self.unit}}}", "rl"
-        if timed:
-            head, columns = head + r" & t_n/\mathrm{s}", "rll"
-        return rf"\begin{{array}}{{{columns}}} {head} \\ {rows} \end{{array}}"
+        In m and s where the points are.  InputError for what has none: springs, losses that know the place, irrational
+        numbers, estimates.
+        """
+        return of_turning_points(self.moving, self)
 
 
 def turning_points_in_units(
@@ -151,7 +67,7 @@ def turning_points_in_units(
     start: int = 0,
     times: bool = False,
     route: str | None = None,
-) -> OscillatorTurningPoints:
+) -> TurningPoints:
     """Turning points of an oscillator in m and s: solved without units, and carried back.
 
     With v0 != 0 n = 0 is the first turning point after the start, where t counts from.  An error that cuts the work
@@ -160,11 +76,13 @@ def turning_points_in_units(
     # An oscillator is solved without units, where powers of the velocity have strengths alone, and carried back.
     pure, kick = dimensionless(oscillator)
 
-    def in_si(found: TurningPoints) -> OscillatorTurningPoints | None:
+    def in_si(found: TurningPoints) -> TurningPoints | None:
         points = _in_si(oscillator, found, digits)
-        return None if points is None else OscillatorTurningPoints(oscillator, digits, points, found)
+        if points is None:
+            return None
+        return replace(found, digits=digits, points=points, first=None, oscillator=oscillator, dimensionless=found)
 
-    def attempt(bits: int) -> OscillatorTurningPoints | None:
+    def attempt(bits: int) -> TurningPoints | None:
         # Points that were done when the time was over are handed out in m and s, as the result would have been.
         with changed(in_si):
             found = with_notes(pure, count, int(bits / BITS_PER_DIGIT), start, times, route=route, most=_MOST, **kick)
@@ -180,11 +98,10 @@ def without_units(oscillator: Oscillator, count: int, **rest: Any) -> TurningPoi
     """From rest at another place than 1, m = k = 1, powers of the velocity alone: as in m and s, but without units."""
     strengths = ",".join(str(t.strength) for t in oscillator.law.terms)
 
-    def bare(found: OscillatorTurningPoints) -> TurningPoints:
-        inner = found.dimensionless
+    def bare(found: TurningPoints) -> TurningPoints:
         # m = k = 1: seconds are tau, and metres the unit in which the strengths were given.
-        points = tuple(replace(q, x=p.x, tau=p.t) for p, q in zip(found.points, inner.points, strict=True))
-        return replace(inner, epsilon=strengths, digits=found.digits, points=points)
+        points = tuple(replace(p, frame=BARE) for p in found.points)
+        return replace(found, epsilon=strengths, points=points, oscillator=None, dimensionless=None)
 
     with changed(bare):
         found = turning_points_in_units(oscillator, count, **rest)
@@ -217,10 +134,10 @@ def dimensionless(oscillator: Oscillator) -> tuple[Law, dict[str, ExactReal]]:
     return oscillator.dimensionless, kick
 
 
-def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[OscillatorTurningPoint, ...] | None:
+def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[TurningPoint, ...] | None:
     """The points in m and s; None if the digits known do not decide the rounding."""
     with ctx.workprec(bits_for(found.digits, 64)):
-        omega = oscillator.omega_0()
+        omega, frame = oscillator.omega_0(), frame_of(oscillator)
         # With v0 the route counts in amplitudes of turning point 0, whose size has digits of its own: an interval of
         # half a unit of the last of them, as every printed digit is read back.
         length = (
@@ -232,11 +149,11 @@ def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[O
             # Exact places first: a rational x_n may be a tie between two decimals, or 0, and no ball tells either.
             # Otherwise p.x is 1 exactly at n = 0, and elsewhere a ball that its digits leave.
             x = decimal_of(exact(p.n) or (unit if p.n == 0 else ball_of(p.x)) * length, digits)
-            t = None if p.tau is None else "0" if p.n == 0 else decimal_of_ball(ball_of(p.tau) / omega, digits)
+            t = None if p.time is None else "0" if p.n == 0 else decimal_of_ball(ball_of(p.time) / omega, digits)
             # Not decided: the attempt is made again with more digits, for all points, since each is checked here again.
-            if x is None or (t is None and p.tau is not None):
+            if x is None or (t is None and p.time is not None):
                 return None
-            points.append(OscillatorTurningPoint(p.n, x, t, found.certified, oscillator.unit))
+            points.append(TurningPoint(p.n, x, t, found.certified, frame))
     return tuple(points)
 
 

@@ -63,6 +63,11 @@ class NumericEnvelope:
         # Behind the table the least exponent rules alone: the rest is its integral to infinity.
         return float(self.times[-1]) + float(np.exp(-below * self.edges[-1])) / (below * self.kappas[0])
 
+    def roundings(self, A: float) -> float:
+        """How often a time is rounded on the way down to A: half a last place for each panel of a sum, and a few."""
+        panels = 0 if len(self.alphas) == 1 else int(np.searchsorted(self.edges, -np.log(A))) + 1
+        return 8 + panels / 2
+
     def amplitude(self, tau: ArrayLike) -> Array:
         """A at an array of times >= 0 (any shape), 0 from the extinction time on; InputError for a negative time."""
         t = np.asarray(tau, dtype=float)

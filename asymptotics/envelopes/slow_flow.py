@@ -127,6 +127,15 @@ class SlowTable:
         )
         return s, phi
 
+    def halved(self) -> "SlowTable":
+        """The same with every second knot: errors of interpolation, h^4/384 max |f^(4)|, that are four times as large.
+
+        At the place x of a cell they are 4 (1 - x/2)^2/(1 - x)^2 times those of the table, or the mirror image of that.
+        """
+        kept = np.unique([*range(0, len(self.tau), 2), len(self.tau) - 1])
+        tau, s, phi, ds, dphi = (row[kept] for row in (self.tau, self.s, self.phi, self.ds, self.dphi))
+        return SlowTable(tau, s, phi, ds, dphi, self.extinction)
+
 
 @dataclass(frozen=True)
 class SlowLaw:

@@ -12,14 +12,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from asymptotics.cut_short import keeping
+from asymptotics.decays.records.units import ANGLES, LENGTHS
 from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import DampingRow, row_at
 from asymptotics.equivalent.symbolic import closed_forms
 from asymptotics.errors import InputError, shown
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.records.units import ANGLES, LENGTHS
+from asymptotics.running.cut_short import keeping
 
 # The start and what three halvings leave of it: enough to see how Q changes with the amplitude.
 _SHARES = (1, 2, 4, 8)

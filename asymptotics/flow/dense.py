@@ -21,8 +21,6 @@ from typing import NoReturn
 
 from flint import arb
 
-from asymptotics.budget import tick
-from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.sequence import after_arrival, start_in_motion, sticks, turning_after_start
@@ -30,6 +28,8 @@ from asymptotics.flow.times import exact_sum
 from asymptotics.flow.trajectory import ESCAPES, ROTATES, ArrivedPiece, CertifiedFlow, Piece, half_swing_pieces
 from asymptotics.flow.turning import TurningState, at_exact_place, at_rest
 from asymptotics.numbers.context import ctx
+from asymptotics.running.budget import tick
+from asymptotics.running.cut_short import keeping
 
 State = tuple[arb, arb]
 # Distances are bounds of a few digits: the radius of a ball has 30 bits, and so few cost nothing.

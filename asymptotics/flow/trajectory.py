@@ -38,7 +38,6 @@ from typing import Protocol
 
 from flint import arb
 
-from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.balls import size_of, upper
 from asymptotics.flow.error_propagation import CarriedErrors, growth, state_gap, turning_delay
@@ -47,6 +46,7 @@ from asymptotics.flow.taylor import TaylorStep
 from asymptotics.flow.times import NearRest, at_time, later
 from asymptotics.flow.turning import TurningState
 from asymptotics.numbers.context import ctx
+from asymptotics.running.budget import tick
 
 MAX_PIECES, MAX_FREE, MAX_BEYOND = 200_000, 5000, 200
 """Pieces of a half-swing; of one that may be trapped, or turn, without either being seen; after the well was left.

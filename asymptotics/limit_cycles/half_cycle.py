@@ -23,13 +23,13 @@ from dataclasses import dataclass
 
 from flint import arb, arb_poly
 
-from asymptotics.budget import tick
 from asymptotics.flow.balls import dyadic, size_of, upper
 from asymptotics.flow.error_propagation import CarriedErrors, distance_growth
 from asymptotics.flow.taylor import TaylorStep, sizes
 from asymptotics.flow.trajectory import FlowState
 from asymptotics.limit_cycles.force import PolynomialForce
 from asymptotics.numbers.context import ctx
+from asymptotics.running.budget import tick
 from asymptotics.terms import Term
 
 MAX_STEPS = 20_000  # 12 s in 80 bits; the cycle of van der Pol takes 21 at mu = 1 and 107 at mu = 20

@@ -36,11 +36,11 @@ from typing import Any
 
 from flint import arb, arb_poly, fmpq, fmpq_poly
 
-from asymptotics.budget import tick
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Law
 from asymptotics.numbers.bridge import to_fmpq
 from asymptotics.numbers.context import cached_property
+from asymptotics.running.budget import tick
 from asymptotics.terms import Term
 
 # A limit of work: the number of harmonics grows with the order, and the fractions with them.

@@ -127,6 +127,14 @@ class AsymptoticMotion:
         lost, unit = (int(missing.sum()), int(gone.sum())), self.oscillator.unit
         return MotionSamples(times, x, v, a, phi, self.order, self.gauge, *lost, end, notes, unit=unit)
 
+    def double_errors(self, t: Array) -> dict[str, Array]:
+        """How far the doubles of ``sample`` are from the expansion, by the names of its columns; estimates."""
+        omega, length = (float(x) for x in (self.oscillator.omega_0(), self.oscillator.length()))
+        rows = self._doubles.errors(np.ravel(t) * omega)
+        return dict(
+            zip(("x", "v", "amplitude", "phase"), rows * np.array([length, length * omega, length, 1.0])[:, None])
+        )
+
     def _held_note(self, last: LastSwing) -> str:
         return f"dry friction holds the mass from {last.end / float(self.oscillator.omega_0()):.6g} s on"
 

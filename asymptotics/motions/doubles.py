@@ -3,7 +3,7 @@
 Heuristic floats throughout: nothing here is an enclosure.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from typing import Any
 
@@ -14,9 +14,13 @@ from asymptotics.errors import InputError
 from asymptotics.motions.frame import Frame, Guess
 from asymptotics.motions.stopping import last_swing
 from asymptotics.motions.waveform import WaveformTable
+from asymptotics.numbers.double_error import EPS, STEP, of_rounding
 
 # Rows of the table for 4096 times fit into the cache; the value changes the speed alone.
 _CHUNK = 1 << 12
+_STEPS, _WAVEFORM = 1024, 3e-13
+"""Roundings of the slow table, whose sums lose half a last place at each of 2048 panels (equal ones all to one side);
+what ``WaveformTable`` loses."""
 FAR = 2.0
 """The amplitude at the start is the radius of the starting point up to O(delta): a factor e^2 is no correction."""
 Array = Any
@@ -136,7 +140,35 @@ class Doubles:
             raise InputError("order", reason, "a lower order, or the reference motion")
         return out
 
+    def errors(self, tau: Array) -> Array:
+        """How far the doubles of ``evaluate`` are from what they stand for, in its rows: estimates, not bounds.
+
+        Of the slow table what half its knots change, and its rounding; X and X' have the turns of the phase and the
+        table of the waveform too, and one error for all times.
+        """
+        table = self.slow(float(tau.max(initial=0.0)))
+        half = replace(self, reached=[(np.inf, table.halved())])
+        with np.errstate(all="ignore"):
+            found, coarse, earlier = self._expanded(tau), half._expanded(tau), self._expanded(tau * (1 - STEP))
+            # A third: the coarse table is off by four times what the fine one is, or more, and the two are compared.
+            errors = np.abs(found - coarse) / 3 + of_rounding(found, earlier, _STEPS)
+            lost = np.nan_to_num(errors[2] / found[2]) + np.nan_to_num(errors[3])
+        wave = _WAVEFORM if self.table.keys else 0.0
+        errors[:2] = np.max(found[2] * (lost + 8 * EPS * (1 + tau) + wave), initial=0.0)
+        return errors
+
     def _evaluated(self, tau: Array) -> Array:
+        out = self._expanded(tau)
+        last = last_swing(self, float(tau.max(initial=0.0)))
+        if last is not None:
+            moving, over = (tau >= last.begin) & (tau < last.end), tau >= last.end
+            for where in (moving, over):
+                out[0, where], out[1, where] = last.at(tau[where])
+            out[2, over], out[3, over] = abs(last.hold), np.nan
+        return out
+
+    def _expanded(self, tau: Array) -> Array:
+        """The rows without the end that dry friction makes."""
         table, psi_0 = self.slow(float(tau.max(initial=0.0))), self.start()[1]
         out = np.empty((4, tau.size))
         for low in range(0, tau.size, _CHUNK):
@@ -152,10 +184,4 @@ class Doubles:
             rows[0], rows[1] = A * (P * cosine - Q * sine), -A * (P * sine + Q * cosine)
             rows[2], rows[3] = A if here is s else np.exp(-s), phi + psi_0
             rows[:3, part >= table.extinction] = 0.0
-        last = last_swing(self, float(tau.max(initial=0.0)))
-        if last is not None:
-            moving, over = (tau >= last.begin) & (tau < last.end), tau >= last.end
-            for where in (moving, over):
-                out[0, where], out[1, where] = last.at(tau[where])
-            out[2, over], out[3, over] = abs(last.hold), np.nan
         return out

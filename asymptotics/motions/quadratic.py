@@ -15,7 +15,6 @@ chi is enclosed between two numbers at which ``elapsed`` is certainly below and 
 
 from flint import arb
 
-from asymptotics.budget import tick
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.law import Oscillator
@@ -26,6 +25,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
+from asymptotics.running.budget import tick
 from asymptotics.turning.quadratic_duration import duration, elapsed, node_count
 from asymptotics.turning.quadratic_map import next_amplitude
 

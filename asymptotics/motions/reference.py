@@ -20,9 +20,7 @@ from math import pi
 
 from flint import arb
 
-from asymptotics.budget import DEFAULT_SECONDS, budget, require_seconds
 from asymptotics.costs import half_swing_seconds, interpolation_seconds
-from asymptotics.cut_short import changed
 from asymptotics.errors import InputError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.dense import states
@@ -55,6 +53,8 @@ from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.return_map.panels import panels_of
 from asymptotics.return_map.sequence import Interpolated
+from asymptotics.running.budget import DEFAULT_SECONDS, budget, require_seconds
+from asymptotics.running.cut_short import changed
 
 METHOD = "reference: half-swing by half-swing, local expansions and Taylor steps in balls"
 CLOSED = f"reference: half-swing by half-swing, {CLOSED_ROUTE}, in balls"

@@ -4,8 +4,8 @@ FLINT has one precision and one cap of power series for the whole process, whate
 them under another's hands makes its balls wider and cuts its exact series short, without a word.  So whoever sets them
 is alone until they are set back: ``ctx.workprec`` and ``ctx.workcap`` (and what ``numbers.decimal_context`` has for
 mpmath) hold one re-entrant lock, a result that is kept is computed inside it (``lru_cache``, ``cached_property``, in
-place of those of ``functools``), and a public call holds it from beginning to end (``asymptotics.public``).  Nothing
-else in the project sets a precision: a test walks through its syntax trees.
+place of those of ``functools``), and a public call holds it from beginning to end (``running.public``).  Nothing else
+in the project sets a precision: a test walks through its syntax trees.
 
 >>> from flint import arb
 >>> with ctx.workprec(200):
@@ -27,7 +27,7 @@ from typing import Any, Generic, ParamSpec, TypeVar, overload
 
 import flint
 
-from asymptotics.budget import tick
+from asymptotics.running.budget import tick
 
 P = ParamSpec("P")
 T = TypeVar("T")

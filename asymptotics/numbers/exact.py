@@ -39,6 +39,8 @@ _ROOT = re.compile(
     rf"(?P<factor>[+-]?|{_NUMBER}\*)sqrt\((?P<radicand>{_NUMBER})\)(?: (?P<offset>[+-] {_NUMBER[5:]}))?\Z", re.ASCII
 )
 _INTEGER = re.compile(r"[+-]?\d{1,40}\Z", re.ASCII)
+# An exponent of two digits: 1e400 is no way to write a count.
+_DECIMAL = re.compile(r"[+-]?\d{1,60}(?:\.\d{0,60})?(?:[eE][+-]?\d{1,2})?", re.ASCII)
 
 # A limit of memory: such a power of a fraction has a hundred thousand times its digits.
 MAX_POWER = 100_000
@@ -378,15 +380,20 @@ def _shown_integer(number: int) -> str:
 
 
 def parse_integer(text: str, argument: str, low: int, high: int) -> int:
-    """Read an integer in [low, high]; InputError names ``argument`` otherwise.
+    """Read an integer in [low, high], also as ``numpy.savetxt`` writes it; InputError names ``argument`` otherwise.
 
-    >>> parse_integer("12", "--n", 1, 100)
-    12
+    >>> parse_integer("12", "--n", 1, 100), parse_integer("1.200000000000000000e+01", "--n", 1, 100)
+    (12, 12)
     """
     accepted = f"an integer from {low} to {high}"
-    if not _INTEGER.match(text.strip()):
+    number = text.strip()
+    whole = bool(_INTEGER.match(number))
+    value = int(number) if whole else 0
+    if not whole and _DECIMAL.fullmatch(number):
+        written = Fraction(number)
+        whole, value = written.denominator == 1, written.numerator
+    if not whole:
         raise InputError(argument, f"{_shown(text)} is not an integer", accepted)
-    value = int(text)
     if not low <= value <= high:
         raise InputError(argument, f"{value} is out of range", accepted)
     return value

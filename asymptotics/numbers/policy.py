@@ -54,6 +54,18 @@ def exact_number(value: Any, argument: str) -> ExactReal:
         raise InputError(argument, f"{shown(value)} is not an exact number", REAL_FORMS) from None
 
 
+def require_one(value: Any, argument: str, many: str) -> None:
+    """InputError for an array, a list or a series where one number is asked for; ``many``: the call that takes them.
+
+    >>> require_one([0.0, 1.0], "t", "sample(t)")
+    Traceback (most recent call last):
+        ...
+    asymptotics.errors.InputError: argument t: a list is not one number (accepted: one number; for many: .sample(t))
+    """
+    if not isinstance(value, str) and (hasattr(value, "__len__") or getattr(value, "ndim", 0) != 0):
+        raise InputError(argument, f"{shown(value)} is not one number", f"one number; for many: .{many}")
+
+
 def exact_double(value: Any, argument: str) -> float:
     """``value`` as the double next to it, where a double will do; InputError where that or its square is none.
 

@@ -16,9 +16,9 @@ asymptotics.errors.UndecidedError: no certified 5 digits at 200 bits: the enclos
 from collections.abc import Callable
 from typing import TypeVar
 
-from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
 from asymptotics.numbers.context import ctx
+from asymptotics.running.budget import tick
 
 Found = TypeVar("Found")
 TOO_WIDE = "the enclosure is too wide"

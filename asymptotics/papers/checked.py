@@ -7,7 +7,7 @@ from typing import Any
 
 from asymptotics.errors import InputError
 from asymptotics.numbers.policy import Number
-from asymptotics.public import public_beside_others
+from asymptotics.running.public import public_beside_others
 
 
 @public_beside_others

@@ -4,14 +4,18 @@
 (['smith-closed-sum'], 'lelas2024')
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cache
 from typing import Any
 
 from asymptotics.errors import InputError
-from asymptotics.papers.lookup import stored
-from asymptotics.papers.search import Searched, plain, ranked
+from asymptotics.papers.documented import documentation
+from asymptotics.papers.keywords import ASKED, OF_DERIVATIONS
+from asymptotics.papers.lookup import statements
+from asymptotics.papers.search import Searched, everyday, plain, ranked
+from asymptotics.papers.statement import PaperStatement
+from asymptotics.papers.stored import stored
 
 OTHERS = "beyond the papers"
 """What the group of the derivations is called that belong to no paper."""
@@ -53,9 +57,11 @@ def derivations(words: str | None = None) -> tuple[DerivationRecord, ...]:
         )
     known = {d.name: d for d in _all()}
     named = [d for d in _all() if words.strip() in (d.name, *d.statements)]
-    found = named or [known[key.partition(":")[2]] for key in ranked(map(_searched, _all()), words)]
+    found = named or [known[key.partition(":")[2]] for key in ranked(searched(), words)]
     if not found:
-        raise InputError("words", f"no derivation has {words.strip()[:80]!r}", "words of a title, such as closed sum")
+        pages = "; ".join(map(str, documentation(words)[:3]))
+        elsewhere = f"; of the documentation {pages}" if pages else ", such as closed sum"
+        raise InputError("words", f"no derivation has {words.strip()[:80]!r}", f"words of a title{elsewhere}")
     return tuple(found)
 
 
@@ -69,7 +75,17 @@ def grouped() -> Mapping[str, tuple[DerivationRecord, ...]]:
     return {key: tuple(d for d in _all() if (d.paper or OTHERS) == key) for key in keys}
 
 
-def _searched(d: DerivationRecord) -> Searched:
-    """A derivation as a statement is searched; its id has the paper, so that an author's name selects."""
-    notes = plain(" ".join((d.name.replace("-", " "), d.source, *d.statements)))
-    return Searched(f"{d.paper}:{d.name}", plain(d.title), d.name.replace("-", " "), "", notes)
+@cache
+def searched() -> tuple[Searched, ...]:
+    """The derivations as they are searched, each by the words of its statements too."""
+    known = {s.id: s for s in statements()}
+    return tuple(_searched(d, [known[i] for i in d.statements]) for d in _all())
+
+
+def _searched(d: DerivationRecord, cited: Sequence[PaperStatement]) -> Searched:
+    """Its id has the paper, so that an author's name selects; of its statements the wrong ones give it their words."""
+    name = d.name.replace("-", " ")
+    notes = plain(" ".join((name, d.source, *d.statements, *(s.title for s in cited))))
+    wrong = [ASKED[s.printed] for s in cited if s.printed in ("misprint", "refuted", "partly")]
+    said = " ".join((name, OF_DERIVATIONS.get(d.name, ""), *(everyday(s.id) for s in cited), *dict.fromkeys(wrong)))
+    return Searched(f"{d.paper}:{d.name}", plain(d.title), said, "", notes)

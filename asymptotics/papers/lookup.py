@@ -9,27 +9,21 @@
 >>> paper("smith:43")
 Traceback (most recent call last):
     ...
-asymptotics.errors.InputError: argument id: no statement 'smith:43' (accepted: did you mean smith2012:43, ...?)
+asymptotics.errors.InputError: argument id: no statement 'smith:43'; did you mean ...? (accepted: an id ...)
 """
 
-import json
 import re
 from difflib import get_close_matches
 from functools import cache
-from importlib.resources import files
 
 from asymptotics.errors import InputError, require_choice
+from asymptotics.papers.documented import documentation
 from asymptotics.papers.search import Searched, ranked
 from asymptotics.papers.statement import PaperStatement
+from asymptotics.papers.stored import stored
 
 MAX_QUERY = 200
 """Characters of a query that are looked at."""
-
-
-@cache
-def stored() -> dict[str, object]:
-    """What ``data.json`` holds: papers, statements, derivations."""
-    return dict(json.loads(files("asymptotics.papers").joinpath("data.json").read_text(encoding="utf-8")))
 
 
 @cache
@@ -46,6 +40,35 @@ def papers() -> dict[str, str]:
     return dict(references)
 
 
+def cited(key: str) -> str:
+    """The reference of a paper with its DOI and its arXiv number.
+
+    >>> cited("smith2012")
+    'B. R. Smith, Jr., The quadratically damped oscillator, Am. J. Phys. 80, 816 (2012), doi:10.1119/1.4729440'
+    """
+    known = identifiers()[key]
+    arxiv = f", arXiv:{known['arxiv']}" if known["arxiv"] else ""
+    return f"{papers()[key]}, doi:{known['doi']}{arxiv}"
+
+
+def identifiers() -> dict[str, dict[str, str]]:
+    """DOI and arXiv number of each paper, by its key; the number is empty where there is none."""
+    known = stored()["identifiers"]
+    assert isinstance(known, dict)
+    return {key: dict(found) for key, found in known.items()}
+
+
+def later(statement: str) -> tuple[str, ...]:
+    """The authors' later papers that bear on a statement: title and arXiv number.
+
+    >>> later("lelas2024:7")[0].rpartition(", ")[2]
+    'arXiv:2602.19725'
+    """
+    known = stored()["follow_ups"]
+    assert isinstance(known, list)
+    return tuple(f"{found['title']}, arXiv:{found['arxiv']}" for found in known if statement in found["on"])
+
+
 VERDICTS = ("holds", "misprint", "transcription", "partly", "refuted", "open", "definition")
 SHORTFALLS = {
     "partly-condition": "true under an omitted condition",
@@ -60,12 +83,17 @@ def statements(
 ) -> tuple[PaperStatement, ...]:
     """All statements, of one paper or of all three, in reading order; with ``words`` those that are found, best first.
 
-    ``verdict``: only those whose printed form has it; partly-condition, partly-consequence and partly-range are the
-    three ways of being partly true.  InputError for an unknown paper or verdict, and for words that nothing has.
+    What is no paper is words: ``statements("Lambert")``.  ``verdict``: only those whose printed form has it;
+    partly-condition, partly-consequence and partly-range are the three ways of being partly true.  InputError for
+    an unknown paper or verdict, and for words that nothing has.
 
     >>> [found.id for found in statements("smith2012", words="Lambert", verdict="holds")][:2]
     ['smith2012:43', ...]
+    >>> statements("Lambert")[0].id
+    'smith2012:43'
     """
+    if isinstance(paper, str) and words is None and paper not in papers():
+        paper, words = None, paper
     if paper is not None:
         require_choice(paper, "paper", papers())
     if verdict is not None:
@@ -92,9 +120,10 @@ def paper(id: str) -> PaperStatement:  # noqa: A002 (the papers' own word)
     if id not in _all():
         wanted = id[:MAX_QUERY]
         # What is no id may be words of a statement: the ids of those that have them are ids, the words are none.
-        held = [*ranked(_searched(), wanted.strip())][:3] if wanted.strip() else []
-        accepted = f"an id, such as {', '.join(held)}" if held else _suggestion(wanted)
-        raise InputError("id", f"no statement has the id {wanted!r}" if held else f"no statement {wanted!r}", accepted)
+        held = [*ranked(searched(), wanted.strip())][:3] if wanted.strip() else []
+        if held:
+            raise InputError("id", f"no statement has the id {wanted!r}", f"an id, such as {', '.join(held)}")
+        raise InputError("id", f"no statement {wanted!r}{_meant(wanted)}", _FORMS)
     return _all()[id]
 
 
@@ -102,27 +131,34 @@ def find(query: str) -> tuple[PaperStatement, ...]:
     """The statements with this id or number, else those with every word, best first; InputError if there is none."""
     wanted = query.strip()[:MAX_QUERY]
     if not wanted:
-        raise InputError("query", "is empty", "an id (smith2012:43), a number (43) or words (Lambert)")
+        raise InputError("query", "is empty", _FORMS)
     if wanted in _all():
         return (_all()[wanted],)
-    found = tuple(_all()[key] for key in ranked(_searched(), wanted))
+    found = tuple(_all()[key] for key in ranked(searched(), wanted))
     if not found:
-        raise InputError("query", f"nothing found for {wanted!r}", _suggestion(wanted))
+        pages = ", ".join(dict.fromkeys(str(section) for section in documentation(wanted)[:3]))
+        if pages:
+            raise InputError("query", f"nothing found for {wanted!r}", f"{pages} (documentation)")
+        raise InputError("query", f"nothing found for {wanted!r}{_meant(wanted)}", _FORMS)
     return found
 
 
 @cache
-def _searched() -> tuple[Searched, ...]:
+def searched() -> tuple[Searched, ...]:
+    """The statements as they are searched."""
     return tuple(map(Searched.of, _all().values()))
 
 
-def _suggestion(wanted: str) -> str:
+_FORMS = "an id (smith2012:43), a number (43) or words (Lambert)"
+
+
+def _meant(wanted: str) -> str:
     # Ratios of difflib: 0.6 is its own default, and words must be nearer than ids, whose beginnings are all alike.
     # They decide what is suggested, nothing else.
     near = get_close_matches(wanted, _all(), n=3, cutoff=0.6) or get_close_matches(
         wanted, _vocabulary(), n=3, cutoff=0.7
     )
-    return f"did you mean {', '.join(near)}?" if near else "an id (smith2012:43), a number (43) or words (Lambert)"
+    return f"; did you mean {', '.join(near)}?" if near else ""
 
 
 @cache

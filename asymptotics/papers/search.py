@@ -14,6 +14,7 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from asymptotics.papers.keywords import ALSO, ASKED, NAMED, SAID
 from asymptotics.papers.statement import PaperStatement
 
 GREEK = dict(zip(
@@ -24,58 +25,10 @@ GREEK = dict(zip(
 ROMAN = {"i": "1", "ii": "2", "iii": "3", "iv": "4", "v": "5"}
 AUTHORS = {"lancaster": "lancaster2020", "lelas": "lelas2024", "smith": "smith2012"}
 YEARS = ("2012", "2020", "2024")
-IDLE = ("a", "al", "an", "and", "are", "at", "be", "by", "do", "does", "eq", "eqn", "eqs", "equation", "et", "for",
-        "formula", "how", "in", "is", "it", "no", "of", "on", "that", "the", "this", "to", "what", "when", "where",
-        "which", "with")  # fmt: skip
+IDLE = ("a", "al", "an", "and", "are", "at", "be", "by", "do", "does", "eq", "eqn", "eqs", "equation", "et", "ever",
+        "for", "formula", "how", "in", "is", "it", "no", "of", "on", "that", "the", "this", "to", "what", "when",
+        "where", "which", "with")  # fmt: skip
 MARKS = r"\\(hat|dot|ddot|tilde|bar|text|mathrm|left|right|quad|qquad)\b"
-# These statements say in formulas what is asked for in words.
-SAID = {  # what a reader calls it, beside what the statement says: by the beginning of an id
-    "lancaster2020:13": "envelope amplitude decay averaging equivalent linearisation krylov bogoliubov",
-    "lancaster2020:12": "averaging mean beta function",
-    "lancaster2020:3": "underdamped damped viscous linear",
-    "lancaster2020:2": "underdamped damped viscous linear",
-    "lancaster2020:table1.": "envelope amplitude decay",
-    "lancaster2020:table1.alpha0": "coulomb constant friction",
-    "lancaster2020:table1.alpha2": "quadratic drag air newton",
-    "lancaster2020:table1.alpha3": "cubic",
-    "lancaster2020:20": "two laws together combined mixed damping",
-    "lancaster2020:21": "two laws combined mixed viscous quadratic drag",
-    "lancaster2020:fn22": "hypergeometric 2f1 closed form two laws",
-    "lancaster2020:fig1": "block mass stop stops rest stick sticks coulomb",
-    "lancaster2020:claim.friction-overwhelms": "block mass stop stops rest stick sticks coulomb",
-    "lancaster2020:claim.no-overdamping": "overdamping critical damping overdamped",
-    "lelas2024:32": "envelope amplitude decay alpha=0 coulomb constant friction",
-    "lelas2024:45": "envelope amplitude decay alpha=2 quadratic drag air newton",
-    "lelas2024:48": "coulomb friction averaging",
-    "lelas2024:49": "exact motion block stop stops rest stick sticks coulomb half-swing",
-    "lelas2024:52": "quadratic drag air averaging amplitude",
-    "lelas2024:value.rest-": "block stop stops rest stick sticks place",
-    "lelas2024:value.tau-exact-": "block stop stops rest time",
-    "lelas2024:claim.stop-time-": "block stop stops time",
-    "smith2012:43": "lambert turning point recurrence map quadratic drag amplitude",
-    "smith2012:46c": "maximum speed velocity",
-    "smith2012:55": "period duration quadratic drag oscillator exact",
-    "smith2012:59a": "recurrence recursion",
-    "smith2012:59d": "recurrence recursion general",
-    "smith2012:62a": "recurrence coefficients",
-    "smith2012:62b": "closed form recurrence sum coefficients solution",
-    "smith2012:67": "closed form coefficients",
-    "smith2012:70": "period amplitude quadratic drag",
-    "smith2012:72": "curve fig5 corrected",
-    "smith2012:claim.not-identifiable": "generating function sum elementary closed form",
-    "smith2012:claim.never-overdamped": "overdamping critical damping overdamped",
-}
-ASKED = {  # the verdict, and in which words it is asked for
-    "misprint": "misprint misprints erratum errata typo typos wrong slip error mistake",
-    "transcription": "transcription garbled slip",
-    "partly": "partly",
-    "refuted": "refuted false wrong",
-    "open": "open unsolved undecided",
-    "holds": "holds",
-    "definition": "definition definitions",
-}
-NAMED = {"dry friction": "alpha=0", "sliding friction": "alpha=0", "linear damping": "alpha=1", "viscous": "alpha=1",
-         "quadratic damping": "alpha=2", "air resistance": "alpha=2", "cubic damping": "alpha=3"}  # fmt: skip
 
 
 def plain(text: str) -> str:
@@ -96,7 +49,16 @@ def reduced(query: str) -> tuple[list[str], list[str]]:
     words = [word.strip(".,;:()?'\"") for word in re.split(r"[\s,;]+", text)]
     named = [AUTHORS[w.removesuffix("'s")] for w in words if w.removesuffix("'s") in AUTHORS]
     idle = (*IDLE, *AUTHORS, *(f"{author}'s" for author in AUTHORS), *(YEARS if named else ()))
-    return named, [w for w in words if w and w not in idle]
+    return named, [ALSO.get(w, w) for w in words if w and w not in idle]
+
+
+def everyday(statement: str) -> str:
+    """What a reader calls a statement, beside what it says itself."""
+    return " ".join(
+        words
+        for start, words in SAID.items()
+        if statement == start or start[-1] in ".-" and statement.startswith(start)
+    )
 
 
 @dataclass(frozen=True)
@@ -113,9 +75,7 @@ class Searched:
     def of(cls, s: PaperStatement) -> "Searched":
         """What is searched of a statement."""
         title, notes = plain(s.title), plain(" ".join((s.note, s.conditions, *s.methods)))
-        said = [words for start, words in SAID.items() if s.id == start or start[-1] in ".-" and s.id.startswith(start)]
-        said += [words for name, words in NAMED.items() if name in title]
-        said.append(ASKED[s.printed])
+        said = [everyday(s.id), *(words for name, words in NAMED.items() if name in title), ASKED[s.printed]]
         return cls(s.id, title, " ".join(said), plain(f"{s.latex} {s.corrected or ''}"), notes)
 
     def marks(self, word: str) -> int:
@@ -159,4 +119,5 @@ def ranked(entries: Iterable[Searched], query: str) -> list[str]:
 
 def words_for_pages() -> Mapping[str, object]:
     """The words of this file, for search.js."""
-    return {"greek": GREEK, "roman": ROMAN, "authors": AUTHORS, "years": YEARS, "idle": IDLE, "marks": MARKS}
+    return {"greek": GREEK, "roman": ROMAN, "authors": AUTHORS, "years": YEARS, "idle": IDLE, "marks": MARKS,
+            "also": ALSO}  # fmt: skip

@@ -4,6 +4,7 @@ from dataclasses import asdict, dataclass
 from importlib import import_module
 from typing import Any, cast
 
+from asymptotics.present.html import Tex
 from asymptotics.present.letters import letters
 from asymptotics.present.shown import Page, Shown
 
@@ -16,7 +17,7 @@ class PaperStatement(Shown):
     ``evidence`` what it rests on (proved, certified, measured, none) and ``extent`` how far that reaches; ``latex`` is
     the printed form (with ``paraphrase``: in our words), ``corrected`` what is true instead (None if it holds),
     ``shortfall`` in which way it is partly true, ``slip`` a slip that changes nothing; ``line`` is the line of the
-    derivation that proves it; ``source`` is the file and line of the check.
+    derivation that proves it, or that has what is true instead; ``source`` is the file and line of the check.
     """
 
     id: str
@@ -45,7 +46,8 @@ class PaperStatement(Shown):
         return f"<{self.id}: {self.title} ({self.printed}, {self.evidence})>"
 
     def _page(self) -> Page:
-        named = {"printed": self.latex, "true instead": self.corrected, "conditions": self.conditions,
+        true = self.corrected and Tex(self.corrected)
+        named = {"printed": Tex(self.latex), "true instead": true, "conditions": self.conditions,
                  "near miss, refuted": self.near_miss, "derivation": self.derivation, "note": self.note}  # fmt: skip
         rows = tuple((name, text) for name, text in named.items() if text)
         title = f"{self.id}: {self.title}"

@@ -18,11 +18,11 @@ from functools import partial
 from textwrap import wrap
 from typing import Any
 
-from asymptotics.budget import budget
 from asymptotics.errors import InputError, shown
 from asymptotics.present.figures import DPI, SIZE, new_axes, render, styled
 from asymptotics.present.html import image
 from asymptotics.present.shown import Shown
+from asymptotics.running.budget import budget
 
 KINDS = (".svg", ".png", ".pdf")
 _WIDTH, _COLUMNS, _ROW = 78, 3, 15.0  # characters in a line of the heading; entries and points of a row of the legend

@@ -1,12 +1,25 @@
-"""A result as HTML, for notebooks: the verdict or value first, lines of text, a small table; all text escaped.
+r"""A result as HTML, for notebooks: the verdict or value first, lines of text, a small table; all text escaped.
+
+Mathematics is typeset: that of a line by signs and raised and lowered letters, LaTeX in a cell (``Tex``) as MathML.
 
 >>> block("x < 1", ["certified"], ("n", "x"), [("0", "1")])
 '<div><p><strong>x &lt; 1</strong></p><p>certified</p><table><thead><tr><th>n</th><th>x</th></tr></thead>...</div>'
+>>> block("a**2 <= epsilon_0", (), ("", ""), [("printed", Tex(r"\frac{1}{2}"))])
+'<div><p><strong>a<sup>2</sup> ≤ ε<sub>0</sub></strong></p>...<math...<mfrac>...</math>...</div>'
 """
 
 from base64 import b64encode
 from collections.abc import Iterable, Sequence
 from html import escape
+from importlib import import_module
+
+from asymptotics.present.signs import signs
+
+
+class Tex(str):
+    """LaTeX without dollars, in the place of a text."""
+
+    __slots__ = ()
 
 
 def block(
@@ -18,11 +31,23 @@ def block(
 ) -> str:
     """One block: ``title`` in bold, each line that is not empty, the table if it has a head, a picture."""
     # Everything that was typed, or read from a file, may come by here: no text reaches the page unescaped.
-    told = "".join(f"<p>{escape(line)}</p>" for line in lines if line)
-    body = "".join("<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
-    top = "".join(f"<th>{escape(name)}</th>" for name in head)
+    told = "".join(f"<p>{_set(line)}</p>" for line in lines if line)
+    body = "".join("<tr>" + "".join(f"<td>{_set(cell)}</td>" for cell in row) + "</tr>" for row in rows)
+    top = "".join(f"<th>{_set(name)}</th>" for name in head)
     table = f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>" if head else ""
-    return f"<div><p><strong>{escape(title)}</strong></p>{told}{table}{picture}</div>"
+    return f"<div><p><strong>{_set(title)}</strong></p>{told}{table}{picture}</div>"
+
+
+def _set(cell: object) -> str:
+    return _mathml(cell) if isinstance(cell, Tex) else signs(escape(str(cell)))
+
+
+def _mathml(latex: Tex) -> str:
+    """By latex2mathml, of the extra report; where that is not installed, for the MathJax of a notebook."""
+    try:
+        return str(import_module("latex2mathml.converter").convert(str(latex)))
+    except ModuleNotFoundError:
+        return f"${escape(latex)}$"
 
 
 def image(svg: bytes, title: str) -> str:

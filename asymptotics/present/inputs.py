@@ -2,7 +2,8 @@
 
 ``n,x,tau,code [--alpha=2 --epsilon=1/10]``: what ``--csv`` writes, and ``compare`` reads without being told the law.
 Where the oscillator alone does not say what was asked for, the command and its options stand there:
-``k,c_k,d_k,code [stokes --alpha=2 --count=2]``.
+``k,c_k,d_k,code [stokes --alpha=2 --count=2]``.  What columns of doubles are good to stands beside either
+(``double_errors``), and is no word of the request.
 """
 
 import csv
@@ -19,6 +20,7 @@ INPUTS = ("alpha", "epsilon", "law", "spring", "damping", "mass", "stiffness", "
 """The options that make an oscillator."""
 MOVED_BY = (*INPUTS, "static")
 """Those that make a motion: a static friction belongs to no oscillator, and holds the mass where it turns."""
+DOUBLE_ERROR = "--double-error="
 # Characters of a first line that are read: a header is shorter, and a file without line ends must not fill the memory.
 _LONG = 100_000
 
@@ -44,13 +46,14 @@ def with_inputs(text: str, options: Mapping[str, Any]) -> str:
 
 
 def with_words(text: str, words: Sequence[str]) -> str:
-    """The same with words as they are."""
+    """The same with words as they are, before those that stand there."""
     head, _, rows = text.partition("\n")
+    cells = next(csv.reader([head]), [""])
     # Text that has no such column, or nothing to say, stays as it is.
-    if not words or not head.endswith(",code"):
+    if not words or not (cells[-1] == "code" or _words_of(cells)):
         return text
     stream = io.StringIO()
-    row = [*next(csv.reader([head]))[:-1], f"code [{shlex.join(words)}]"]
+    row = [*cells[:-1], f"code [{shlex.join([*words, *_words_of(cells)])}]"]
     csv.writer(stream, lineterminator="\n").writerow(row)
     return stream.getvalue() + rows
 
@@ -71,15 +74,23 @@ def _each(given: Any) -> list[str]:
 
 
 def stated_words(path: Path) -> list[str]:
-    """The words beside ``code`` in the header of a file; none where there are none, or the file cannot be read."""
+    """The words of the request beside ``code`` in the header of a file."""
+    return [word for word in header_words(path) if not word.startswith(DOUBLE_ERROR)]
+
+
+def header_words(path: Path) -> list[str]:
+    """All words beside ``code`` in the header of a file; none where there are none, or the file cannot be read."""
     try:
         with path.open(newline="", encoding="utf-8-sig") as stream:
-            cells = next(csv.reader([stream.readline(_LONG)]), [])
-        # In the last cell of the header, where programs that read CSV see a column with a unit in brackets.
-        found = re.fullmatch(r"code \[(.*)\]", cells[-1]) if cells else None
-        return shlex.split(found[1]) if found else []
+            return _words_of(next(csv.reader([stream.readline(_LONG)]), []))
     except (OSError, ValueError, csv.Error):
         return []
+
+
+def _words_of(header: Sequence[str]) -> list[str]:
+    # In the last cell, where programs that read CSV see a column with a unit in brackets.
+    found = re.fullmatch(r"code \[(.*)\]", header[-1]) if header else None
+    return shlex.split(found[1]) if found else []
 
 
 def stated_inputs(path: Path) -> dict[str, str | list[str]]:

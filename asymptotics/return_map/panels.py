@@ -21,7 +21,6 @@ from dataclasses import dataclass, field
 
 from flint import arb
 
-from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear import is_linear
@@ -31,6 +30,7 @@ from asymptotics.return_map.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.return_map.coordinate import Coordinate
 from asymptotics.return_map.half_swing_map import INTEGRATED, HalfSwingBalls, integrated
 from asymptotics.return_map.panel_plan import Ellipse, PanelPlan, planned, verified
+from asymptotics.running.budget import tick
 
 ROUTE = "Chebyshev interpolation in the amplitude"
 COLLOCATED = "quarter-swings by collocation"

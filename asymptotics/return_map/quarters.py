@@ -46,7 +46,6 @@ from functools import reduce
 import numpy as np
 from flint import arb, arb_mat, arb_poly, fmpq
 
-from asymptotics.budget import tick
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
@@ -56,6 +55,7 @@ from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.return_map.chebyshev import cut, nodes
 from asymptotics.return_map.quarters_in_doubles import Array, QuarterInDoubles, corrected
 from asymptotics.return_map.spectral import analysis, integrals, of_the_integral
+from asymptotics.running.budget import tick
 
 # A power of two more of the speed shortens the interval of z by ln 2, which saves a few nodes, and costs terms of the
 # expansion.

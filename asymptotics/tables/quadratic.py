@@ -6,7 +6,6 @@ from itertools import islice
 import sympy
 from flint import arb, fmpq
 
-from asymptotics.budget import tick
 from asymptotics.motions.invariants.certified import first_constant
 from asymptotics.motions.invariants.exact import coefficients
 from asymptotics.motions.invariants.symbolic import generating_functions
@@ -15,6 +14,7 @@ from asymptotics.numbers.decimals import MAX_BITS, bits_for, decimal_of_ball
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.rationals import to_fraction
+from asymptotics.running.budget import tick
 from asymptotics.tables.cells import Cell, Formula, Nearest, Rows
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.recipe import Found, begun

@@ -92,7 +92,7 @@ def _pairs(inputs: Inputs) -> list[Law]:
     if inputs.law is None:
         return [Law({low: e, high: e}) for low, high in _PAIRS for e in inputs.epsilons_or("1/10")]
     if len(inputs.law.terms) != 2:
-        raise InputError("law", "this table is about two laws", "--law A:E twice")
+        raise InputError("law", "this table is about two laws", "a law of two terms")
     return [inputs.law]
 
 

@@ -18,13 +18,15 @@ from dataclasses import dataclass, field
 from importlib import import_module
 from typing import Any
 
+from asymptotics.certificates.certificate import Certificate
 from asymptotics.errors import InputError
 from asymptotics.numbers.digits import spread
 from asymptotics.numbers.policy import Number
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
-from asymptotics.public import public
+from asymptotics.running.public import public
 from asymptotics.tables.cells import Formula
+from asymptotics.tables.certified import of_rows
 from asymptotics.tables.validation import Validation, validate
 
 # TeX's ten special characters, and those that the usual text fonts do not have.
@@ -75,6 +77,17 @@ class Table(Rows, Drawn):
         """The table recomputed by mpmath alone, beside ours; InputError where mpmath has no route of its own."""
         nearest = self.origin.get("inputs", {}).get("rounding", "nearest") == "nearest"
         return validate(self.name, self.columns, self.rows, digits, nearest=nearest)
+
+    @public
+    def certificate(self, *, max_seconds: Number = 60) -> Certificate:
+        """A file from which ``check_certificate.py`` proves the rows that are turning points or times.
+
+        InputError for a table without any, and for another rounding than to the nearest.
+        """
+        inputs = self.origin.get("inputs", {})
+        if inputs.get("rounding", "nearest") != "nearest":
+            raise InputError("certificate", "the checker proves numbers rounded to the nearest", "--rounding nearest")
+        return of_rows(self.name, self.columns, self.rows, int(inputs["digits"]))
 
     def to_json(self) -> str:
         """The table as the text of a JSON file."""

@@ -3,9 +3,9 @@
 from fractions import Fraction
 from functools import partial
 
-from asymptotics.cut_short import changed
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.running.cut_short import changed
 from asymptotics.tables.cells import Cell, Nearest, Rows
 from asymptotics.tables.inputs import SUMS, Inputs, label
 from asymptotics.tables.recipe import Found, begun

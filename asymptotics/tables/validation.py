@@ -64,6 +64,14 @@ class Validation(Rows):
         verdict = "equal" if not wrong else f"{len(wrong)} of {self.values} differ: {'; '.join(wrong[:3])}"
         return f"recomputed by mpmath {self.version} to {self.digits} digits: {verdict}"
 
+    def beside(self) -> str:
+        """Each number of the table beside that of mpmath."""
+        heads = ("row", "column", "ours", "mpmath")
+        cells = [heads, *((str(row), column, ours, theirs) for row, column, ours, theirs, _ in self.pairs)]
+        widths = [max(len(row[i]) for row in cells) for i in range(len(heads))]
+        lines = ("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in cells)
+        return "\n".join(lines)
+
     def to_dict(self) -> dict[str, Any]:
         """For JSON; numbers are strings."""
         names = ("row", "column", "ours", "mpmath", "equal")

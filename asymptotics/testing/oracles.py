@@ -15,7 +15,7 @@ from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.policy import Number, exact_number
-from asymptotics.public import public
+from asymptotics.running.public import public
 from asymptotics.testing.assertions import assert_digits, exactly
 from asymptotics.turning.choose import turning_points
 

@@ -22,10 +22,10 @@ For alpha > 1 alone the sequence never ends, however strong the damping (derivat
 True
 """
 
-from asymptotics.budget import DEFAULT_SECONDS, budget, tick
 from asymptotics.errors import InputError, require_choice
 from asymptotics.law import Law
 from asymptotics.numbers.policy import Number
+from asymptotics.running.budget import DEFAULT_SECONDS, budget, tick
 from asymptotics.turning.enclosing import require_soon
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route

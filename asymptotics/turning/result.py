@@ -15,6 +15,8 @@ from typing import Any
 from flint import arb
 
 from asymptotics.errors import InputError, shown
+from asymptotics.frames import BARE, Frame, frame_of
+from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.digits import spread
 from asymptotics.numbers.exact import ExactReal
@@ -26,27 +28,54 @@ from asymptotics.present.shown import Page, Rows, Shown
 
 Number = Fraction | ExactReal | arb | Callable[[], arb | ExactReal]
 """An exact number, a ball at the current precision, or a function that gives one of these at any precision."""
-_LETTERS = {
-    "x": "place of turning point n, in units of the start",
-    r"\tau": "its time omega_0 t since turning point 0",
-}
 _SPARE = 40  # bits added to what a rounding lacks, so that the next attempt is the last one
+
+
+def _letters(frame: Frame) -> dict[str, str]:
+    if not frame.t:
+        units, time = "units of the start", {r"\tau": "its time omega_0 t since turning point 0"}
+        return {"x": f"place of turning point n, in {units}"} | time
+    return {"x": f"place of turning point n in {frame.x}", "t": f"its time in {frame.t} since turning point 0"}
 
 
 @dataclass(frozen=True, repr=False)
 class TurningPoint(Shown):
-    """The n-th turning point: x in units of x0 with its sign, tau = omega_0 t since n = 0 (None if not asked for).
+    """The n-th turning point: x in the unit of its frame with its sign, the time since n = 0 (None if not asked for).
 
-    ``certified``: its digits are proved to be the correct rounding; only `proved_point` says so.
+    Without units x is in units of x0 and the time is ``tau`` = omega_0 t; of an oscillator x is in m (rad of a
+    pendulum) and the time is ``t`` in s.  ``certified``: its digits are proved to be the correct rounding; only
+    `proved_point` says so.
     """
 
     n: int
     x: str
-    tau: str | None
+    time: str | None
     certified: bool = field(default=False, repr=False, compare=False)
+    frame: Frame = BARE
+
+    @property
+    def tau(self) -> str | None:
+        """The time omega_0 t, without units."""
+        return self._time("tau")
+
+    @property
+    def t(self) -> str | None:
+        """The time in s, of an oscillator."""
+        return self._time("t")
+
+    def _time(self, name: str) -> str | None:
+        if name != self.frame.time:
+            units = f"in {self.frame.x} and {self.frame.t}" if self.frame.t else "without units"
+            raise InputError(name, f"this turning point is {units}", self.frame.time)
+        return self.time
+
+    @property
+    def unit(self) -> str:
+        """The unit of x: m, rad, or none."""
+        return self.frame.x
 
     def number(self, name: str = "x") -> Coefficient:
-        """``x`` or ``tau`` as a number: mpf, interval, ball; InputError if it is not certified or not there.
+        """``x``, ``tau`` or ``t`` as a number: mpf, interval, ball; InputError if it is not certified or not there.
 
         >>> proved_point(1, Fraction(1, 3), None, 4).number("x").interval()
         mpi('0.33325', '0.33335')
@@ -54,17 +83,20 @@ class TurningPoint(Shown):
         return number_of(self, name)
 
     def _page(self) -> Page:
-        time = () if self.tau is None else (("tau", self.tau),)
+        frame, name = self.frame, self.frame.time
+        time = () if self.time is None else ((name, frame.told(name, self.time)),)
+        place = frame.told("x", self.x)
         worth = "certified: every digit is proved" if self.certified else "not certified"
-        title = f"turning point {self.n}: x = {self.x}" + ("" if self.tau is None else f", tau = {self.tau}")
-        return Page(title, (worth,), ("", "value"), (("x", self.x), *time))
+        title = ", ".join(f"{key} = {value}" for key, value in (("x", place), *time))
+        return Page(f"turning point {self.n}: {title}", (worth,), ("", "value"), (("x", place), *time))
 
     def _formula(self) -> str:
-        time = "" if self.tau is None else rf",\quad \tau_{{{self.n}}} = {self.tau}"
-        return f"x_{{{self.n}}} = {self.x}{time}"
+        letter = "t" if self.frame.t else r"\tau"
+        time = "" if self.time is None else rf",\quad {letter}_{{{self.n}}} = {self.frame.latex('t', self.time)}"
+        return f"x_{{{self.n}}} = {self.frame.latex('x', self.x)}{time}"
 
     def _letters(self) -> dict[str, str]:
-        return _LETTERS
+        return _letters(self.frame)
 
 
 def proved_point(n: int, x: Number, tau: Number | None, digits: int) -> TurningPoint:
@@ -125,6 +157,8 @@ class TurningPoints(Sequenced, Rows, Drawn):
     ``ended``: the number of the last turning point there is and why, or None; ``method``: the route, in words.
     ``first``: for a start in motion, amplitude and time of turning point 0, in units of x0 and of 1/omega_0; then x is
     in units of that amplitude, and tau counts from there.
+    ``oscillator``: whose units they are in, None for a law alone; ``dimensionless``: the points without units that they
+    come from, which say how they were obtained.
     """
 
     alpha: str
@@ -136,48 +170,81 @@ class TurningPoints(Sequenced, Rows, Drawn):
     ended: dict[str, Any] | None = None
     first: dict[str, str] | None = None
     notes: tuple[str, ...] = field(default=(), compare=False)
+    oscillator: Oscillator | None = None
+    dimensionless: "TurningPoints | None" = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "certified", all(p.certified for p in self.points))
 
+    @property
+    def frame(self) -> Frame:
+        """The units of x and t."""
+        return frame_of(self.oscillator)
+
+    @property
+    def unit(self) -> str:
+        """The unit of x: m, rad for a pendulum; none of a law alone."""
+        return self.frame.x
+
+    @property
+    def timed(self) -> bool:
+        """Whether times were asked for."""
+        return any(p.time is not None for p in self.points)
+
+    def columns(self) -> tuple[list[str], list[tuple[Any, ...]]]:
+        """n, x and the time: the names with their units, and the rows."""
+        frame = self.frame
+        return ["n", frame.named("x"), frame.named(frame.time)], [(p.n, p.x, p.time) for p in self.points]
+
     def to_dict(self) -> dict[str, Any]:
-        """The table as the JSON of the command line."""
-        points = [{"n": p.n, "x": p.x, "tau": p.tau} for p in self.points]
-        return {
-            "alpha": self.alpha,
-            "epsilon": self.epsilon,
-            "digits": self.digits,
-            "points": points,
-            "ended": self.ended,
-            "certified": self.certified,
-            "method": self.method,
-            **({} if self.first is None else {"first": self.first}),
-        }
+        """The table as the JSON of the command line: numbers are strings."""
+        points = [{"n": p.n, "x": p.x, self.frame.time: p.time} for p in self.points]
+        known = {"points": points, "ended": self.ended, "certified": self.certified, "method": self.method}
+        if self.oscillator is not None:
+            units = {"x": self.unit, "t": self.frame.t}
+            return {"oscillator": self.oscillator.to_dict(), "units": units, **known, "notes": list(self.notes)}
+        law = {"alpha": self.alpha, "epsilon": self.epsilon, "digits": self.digits}
+        return {**law, **known, **({} if self.first is None else {"first": self.first})}
+
+    def __str__(self) -> str:
+        if self.oscillator is None:
+            return super().__str__()
+        frame = self.frame
+        lines = [
+            f"{p.n}  {frame.told('x', p.x)}" + ("" if p.time is None else f"  {frame.told('t', p.time)}")
+            for p in self.points
+        ]
+        lines += [f"ended: {self.ended}"] if self.ended else []
+        return "\n".join([*lines, f"certified: {str(self.certified).lower()} ({self.method})"])
 
     def _page(self) -> Page:
-        timed = any(p.tau is not None for p in self.points)
-        rows = tuple((p.n, p.x, p.tau) if timed else (p.n, p.x) for p in self.points)
+        head, rows = self.columns()
+        shown = 3 if self.timed else 2
         worth = f"{'certified' if self.certified else 'not certified'}, {self.digits} digits ({self.method})"
         end = () if self.ended is None else (f"ended: {self.ended}",)
-        title = f"{len(rows)} turning points, alpha = {self.alpha}, epsilon = {self.epsilon}"
-        return Page(title, (worth, *end, *self.notes), ("n", "x", "tau") if timed else ("n", "x"), rows)
+        what = f" of {self.oscillator}" if self.oscillator else f", alpha = {self.alpha}, epsilon = {self.epsilon}"
+        title = f"{len(rows)} turning points{what}"
+        return Page(title, (worth, *end, *self.notes), tuple(head[:shown]), tuple(row[:shown] for row in rows))
+
+    def _heading(self) -> str:
+        return super()._heading() if self.oscillator is None else f"turning points of {self.oscillator}"
 
     def _curve(self, axes: Any, **style: Any) -> None:
-        draw_sizes(axes, self.points, "|x| / x0", style)
+        draw_sizes(axes, self.points, f"|x| ({self.unit})" if self.unit else "|x| / x0", style)
 
     def _table(self) -> dict[str, list[Any]]:
-        proved = self.certified
-        columns = {"n": [p.n for p in self.points]} | spread("x", [p.x for p in self.points], certified=proved)
-        timed = any(p.tau is not None for p in self.points)
-        return columns | (spread("tau", [p.tau for p in self.points], certified=proved) if timed else {})
+        (_, place, time), rows = self.columns()
+        columns = {"n": [row[0] for row in rows]} | spread(place, [row[1] for row in rows], certified=self.certified)
+        return columns | (spread(time, [row[2] for row in rows], certified=self.certified) if self.timed else {})
 
     def _letters(self) -> dict[str, str]:
-        return _LETTERS
+        return _letters(self.frame)
 
     def _formula(self) -> str:
-        timed = any(p.tau is not None for p in self.points)
-        rows = r" \\ ".join(f"{p.n} & {p.x}" + ("" if p.tau is None else f" & {p.tau}") for p in self.points)
-        head, columns = (r"n & x_n & \tau_n", "rll") if timed else ("n & x_n", "rl")
+        rows = r" \\ ".join(f"{p.n} & {p.x}" + ("" if p.time is None else f" & {p.time}") for p in self.points)
+        time = r"t_n/\mathrm{s}" if self.frame.t else r"\tau_n"
+        head = rf"n & x_n/\mathrm{{{self.unit}}}" if self.unit else "n & x_n"
+        head, columns = (f"{head} & {time}", "rll") if self.timed else (head, "rl")
         return rf"\begin{{array}}{{{columns}}} {head} \\ {rows} \end{{array}}"
 
 

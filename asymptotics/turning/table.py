@@ -22,13 +22,13 @@ from typing import Any
 
 from flint import arb
 
-from asymptotics.budget import tick
-from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError
 from asymptotics.flow.turning import TurningState
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, require_integer
 from asymptotics.numbers.policy import Number, exact_number
+from asymptotics.running.budget import tick
+from asymptotics.running.cut_short import keeping
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_digits, proved_point
 
 MAX_COUNT, MAX_DIGITS, MAX_START = 100_000, 10_000, 10**30

@@ -12,7 +12,7 @@ from picture_faults import faults
 
 import asymptotics as asy
 from asymptotics.certificates.of_results import of_turning_points
-from asymptotics.identification.identifiability import swings_needed
+from asymptotics.decays.identification.identifiability import swings_needed
 from asymptotics.present.drawn import head
 from asymptotics.present.figures import render
 

@@ -2,9 +2,9 @@
 Which law damps a tanker's roll?
 ================================
 
-The roll decay of a model of the tanker KVLCC2 (record and attribution in ``asymptotics/identification/data``), read
-from the raw samples: on the whole range no sum of laws reaches the noise, and the answer says so.  Between 5 and 10
-degrees one exponent is found, and it is 2; the spring stiffens; the published regression has the same coefficient,
+The roll decay of a model of the tanker KVLCC2 (record and attribution in ``asymptotics/decays/identification/data``),
+read from the raw samples: on the whole range no sum of laws reaches the noise, and the answer says so.  Between 5 and
+10 degrees one exponent is found, and it is 2; the spring stiffens; the published regression has the same coefficient,
 with a hundred times the interval.
 """
 
@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import asymptotics as asy
-from asymptotics.identification.examples import roll_decay
+from asymptotics.decays.identification.examples import roll_decay
 
 laws, springs = ["1", "2", "1+2", "1+3", "1+2+3", "free"], ["3"]
 whole = asy.identify(roll_decay(), laws=laws, springs=springs)

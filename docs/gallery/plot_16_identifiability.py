@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.colors import LogNorm
 from matplotlib.ticker import NullFormatter
 
-from asymptotics.identification.identifiability import swings_needed
+from asymptotics.decays.identification.identifiability import swings_needed
 
 shares, noises = np.geomspace(0.02, 0.5, 9), np.geomspace(1e-4, 1e-2, 9)
 total = 0.03  # of both first decrements: (pi/2) epsilon_1 + (4/3) epsilon_2

@@ -64,21 +64,6 @@ def two_terms(form: sympy.Expr) -> Outcome:
 
 
 @statement(
-    id="lancaster2020:claim.velocity-sign", kind=Kind.APPROXIMATION, verdict=Printed.MISPRINT,
-    derivation="lancaster-literal-average",
-    evidence=Evidence.PROVED, order="1", title="The velocity used for (19)",
-    latex=r"\dot{x}(t) \simeq \omega_0 A\sin(\omega_0 t)",
-    corrected_latex=r"\dot{x}(t) \simeq -\omega_0 A\sin(\omega_0 t)",
-    printed=VELOCITY, corrected=-VELOCITY, near_miss=-VELOCITY.subs(A, x0), conditions="|A'| << omega_0 A",
-    methods=("derivative of A cos omega_0 t with A held",),
-    note="(9) has the minus sign. Harmless: only x'^2 and |x'| enter (18). The order is that of (9).",
-)
-def velocity_sign(form: sympy.Expr) -> Outcome:
-    """The velocity of A cos omega_0 t, with A as slow as the condition says."""
-    return same(form, sympy.diff(A * sympy.cos(omega0 * t), t))
-
-
-@statement(
     id="lancaster2020:19", kind=Kind.APPROXIMATION, verdict=Printed.HOLDS, evidence=Evidence.PROVED, order="1",
     derivation="two-laws-average",
     title="The same with the slow velocity",
@@ -93,6 +78,21 @@ def slow_two_terms(form: sympy.Expr) -> Outcome:
     """(18) at v = A omega_0 s."""
     right = -b * v ** (alpha + 1) - b2 * v ** (beta + 1)
     return zero(form - right.subs(v, A * omega0 * s))
+
+
+@statement(
+    id="lancaster2020:claim.velocity-sign", kind=Kind.APPROXIMATION, verdict=Printed.MISPRINT,
+    derivation="lancaster-energy", line=1,
+    evidence=Evidence.PROVED, order="1", title="The velocity used for (19)",
+    latex=r"\dot{x}(t) \simeq \omega_0 A\sin(\omega_0 t)",
+    corrected_latex=r"\dot{x}(t) \simeq -\omega_0 A\sin(\omega_0 t)",
+    printed=VELOCITY, corrected=-VELOCITY, near_miss=-VELOCITY.subs(A, x0), conditions="|A'| << omega_0 A",
+    methods=("derivative of A cos omega_0 t with A held",),
+    note="(9) has the minus sign. Harmless: only x'^2 and |x'| enter (18). The order is that of (9).",
+)
+def velocity_sign(form: sympy.Expr) -> Outcome:
+    """The velocity of A cos omega_0 t, with A as slow as the condition says."""
+    return same(form, sympy.diff(A * sympy.cos(omega0 * t), t))
 
 
 @statement(

@@ -12,23 +12,30 @@ import jinja2
 
 from asymptotics import __version__
 from asymptotics.made_by import made_by
-from asymptotics.papers.search import Searched, plain, words_for_pages
-from asymptotics.papers.statement import PaperStatement
+from asymptotics.papers.search import words_for_pages
 from asymptotics.present.figures import renderings
 from asymptotics.present.files import write_all
 from asymptotics.tables.cells import Formula
 from asymptotics.tables.registry import build
-from paper_checks.data import record, source
+from asymptotics.tables.standard_set import validated
+from paper_checks.data import source
 from paper_checks.mathml import to_mathml, whole
 from paper_checks.registry import FOLLOW_UPS, IDENTIFIERS, PAPERS, Entry, Shortfall
 from paper_checks.report import pages
-from paper_checks.report.certificates import certificate_files, certificates_of
+from paper_checks.report.certificates import (
+    CHECKER_LINES,
+    certificate_files,
+    certificate_of_table,
+    certificates_of,
+    listed,
+)
 from paper_checks.report.difference import marked
 from paper_checks.report.engine import engine_data, regimes_picture, stokes_picture, validity_picture
 from paper_checks.report.font import font_face
 from paper_checks.report.linked import linked
 from paper_checks.report.play import play_page
-from paper_checks.report.sheets import ENGINE, sheet_files, tabular
+from paper_checks.report.search_index import search_index
+from paper_checks.report.sheets import ENGINE, cell, sheet_files, tabular
 from paper_checks.report.tex import said, tex
 from paper_checks.report.words import LEGEND, OUTCOMES, a_kind, counted, evidence, inline, plain_note
 from paper_checks.verdict import Printed
@@ -71,7 +78,8 @@ def _contents(entries: list[Entry], progress: Progress) -> dict[str, bytes | str
     contents: dict[str, bytes | str] = dict(_figures(entries, progress))
     data = report_data(entries)
     contents["report.json"] = json.dumps(data, indent=1, ensure_ascii=False)
-    contents["registry.jsonld"] = json.dumps(linked([e.statement for e in entries]), indent=1, ensure_ascii=False)
+    tables = [table for paper in data["papers"] for table in paper["tables"]]
+    contents["registry.jsonld"] = json.dumps(linked(entries, tables), indent=1, ensure_ascii=False)
     contents["report.tex"] = _template("report.tex.j2").render(data)
     contents |= sheet_files(_template, data)
     made = _pages(data, {e.statement.id: e for e in entries})
@@ -83,7 +91,17 @@ def _contents(entries: list[Entry], progress: Progress) -> dict[str, bytes | str
 
 def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
     """The site: an index, a page for each paper, the errata, the derivations, what goes beyond, and the sources."""
-    papers = [{**p, "entries": [{**e, **_shown(entries[e["id"]])} for e in p["entries"]]} for p in data["papers"]]
+    papers = [
+        {
+            **p,
+            "entries": [{**e, **_shown(entries[e["id"]])} for e in p["entries"]],
+            "tables": [
+                {**t, "certificate": certificate_of_table(t["table"]), "checker_lines": CHECKER_LINES}
+                for t in p["tables"]
+            ],
+        }
+        for p in data["papers"]
+    ]
     cards = [e for p in papers for e in p["entries"]]
     shown = {**data, "papers": papers, "errata": [_slips(cards, *kind) for kind in ERRATA]}
     name, title = HARMLESS
@@ -91,6 +109,7 @@ def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
     shown["measured"] = MEASURED.exists()
     shown["pdf"] = which(ENGINE) is not None
     shown["legend"] = LEGEND
+    shown |= {"certificates": listed(), "checker_lines": CHECKER_LINES}
     made = {name: _template(f"{name}.j2").render(shown, derivations=pages.derivations()) for name in PAGES}
     made["play.html"] = play_page(BESIDE_PLAY)
     made |= {f"{p['key']}.html": _template("paper.html.j2").render(shown, paper=p) for p in papers}
@@ -98,7 +117,7 @@ def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
         page = _template("source.html.j2").render(shown, path=path, lines=pages.source_lines(path))
         made[pages.source_name(path)] = page
     made |= {name: whole(page) for name, page in made.items() if name != "play.html"}  # that one sets its own lines
-    script = (FOLDER / "search.js").read_text(encoding="utf-8").replace("{{ index }}", _index(papers, entries))
+    script = (FOLDER / "search.js").read_text(encoding="utf-8").replace("{{ index }}", search_index(papers, entries))
     made["search.js"] = script.replace("{{ words }}", json.dumps(words_for_pages(), ensure_ascii=False))
     return made
 
@@ -117,32 +136,17 @@ def _shown(entry: Entry) -> dict[str, Any]:
         "source_page": pages.source_name(path.partition(":")[0]) + "#L" + path.partition(":")[2],
         "section": pages.section_of(s),
         "certificates": certificates_of(s.id),
+        "checker_lines": CHECKER_LINES,
     }
+
+
+def _proved(table: str) -> dict[str, Any]:
+    """What a table shows beyond the data: the certificate of its turning points and times."""
+    return {"certificate": certificate_of_table(table), "checker_lines": CHECKER_LINES}
 
 
 def _slips(cards: list[dict[str, Any]], name: str, title: str, field: str, values: tuple[str, ...]) -> dict[str, Any]:
     return {"name": name, "title": title, "entries": [e for e in cards if e[field] in values]}
-
-
-def _index(papers: list[dict[str, Any]], entries: dict[str, Entry]) -> str:
-    """What search.js searches: the tables as a whole, and the statements, each reduced as ``papers.search`` does it."""
-    found = [_found_table(paper["key"], table) for paper in papers for table in paper["tables"]]
-    found += [_found(card, record(entries[card["id"]].statement)) for paper in papers for card in paper["entries"]]
-    return json.dumps(found, ensure_ascii=False)
-
-
-def _found(card: dict[str, Any], data: dict[str, Any]) -> dict[str, str]:
-    searched = Searched.of(PaperStatement(**{**data, "methods": tuple(data["methods"])}))
-    page = card["id"].partition(":")[0] + ".html"
-    shown = {"id": card["id"], "title": card["title"], "page": page, "verdict": card["printed"]}
-    words = {"plain": searched.title, "said": searched.said, "formula": searched.formula, "notes": searched.notes}
-    return shown | words
-
-
-def _found_table(key: str, table: dict[str, Any]) -> dict[str, str]:
-    name = table["table"].partition(".")[2]
-    shown = {"id": f"{key}:{name}", "title": table["title"], "page": f"{key}.html", "anchor": table["table"]}
-    return shown | {"plain": plain(table["title"]), "said": "table", "formula": "", "notes": "", "verdict": ""}
 
 
 def report_data(entries: list[Entry]) -> dict[str, Any]:
@@ -196,6 +200,7 @@ def _table(name: str, entries: list[Entry]) -> dict[str, Any]:
         "columns": list(table.columns),
         "rows": [[str(cell) for cell in row] for row in table.rows],
         "provenance": table.source,
+        "validation": validated(table),
         "heads": heads,
         "typeset": typeset,
         "tabular": tabular(heads, typeset),
@@ -238,7 +243,7 @@ def _template(name: str) -> jinja2.Template:
     )
     environment.filters["inline_mathml"] = to_mathml
     environment.filters["mathml"] = lambda latex: to_mathml(latex, display=True)
-    environment.filters["tex"] = tex
+    environment.filters |= {"tex": tex, "cell": cell}
     environment.filters |= {"said": said, "counted": counted, "a_kind": a_kind, "note": plain_note}
     environment.filters["signs"] = inline
     return environment.get_template(name)

@@ -13,6 +13,7 @@ import jinja2
 from markupsafe import Markup
 
 from asymptotics import __version__
+from paper_checks.registry import IDENTIFIERS
 
 FOLDER = Path(__file__).parent
 SCRIPTS = ("play_motion.js", "play_draw.js", "play_page.js")
@@ -65,6 +66,7 @@ def play_page(links: tuple[tuple[str, str], ...]) -> str:
         presets=PRESETS,
         key=KEY,
         commands=COMMANDS,
+        papers=[(key[:-4].capitalize() + " " + key[-4:], known["doi"]) for key, known in IDENTIFIERS.items()],
         ways=("truth", "lancaster", "lelas", "third"),
     )
 

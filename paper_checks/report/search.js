@@ -17,7 +17,7 @@ function reduced(query) {
   const words = text.split(/[\s,;]+/).map(word => word.replace(/^[.,;:()?'"]+|[.,;:()?'"]+$/g, ""));
   const author = word => WORDS.authors[word.replace(/'s$/, "")], named = words.map(author).filter(Boolean);
   const idle = word => WORDS.idle.includes(word) || author(word) || (named.length && WORDS.years.includes(word));
-  return [named, words.filter(word => word && !idle(word))];
+  return [named, words.filter(word => word && !idle(word)).map(word => WORDS.also[word] ?? word)];
 }
 
 function marks(entry, word) {
@@ -50,9 +50,10 @@ function search() {
   if (found.hidden) return;
   const hits = ranked(box.value);
   found.replaceChildren(...hits.slice(0, 40).map(hit => {
-    const link = document.createElement("a");
-    link.href = hit.page + "#" + (hit.anchor || hit.id);
-    link.textContent = hit.id + "  " + hit.title + (hit.verdict ? "  (" + hit.verdict + ")" : "");
+    // The pages of the documentation are made by another command: they are named, not linked.
+    const link = document.createElement(hit.page ? "a" : "span");
+    if (hit.page) link.href = hit.page + "#" + (hit.anchor || hit.id);
+    link.textContent = (hit.shown || hit.id) + "  " + hit.title + (hit.verdict ? "  (" + hit.verdict + ")" : "");
     return link;
   }));
   const note = document.createElement("p");

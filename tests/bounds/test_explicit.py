@@ -10,11 +10,11 @@ import sympy
 from flint import acb, arb, ctx
 
 import asymptotics as asy
-from asymptotics.api.solution import epsilon, tau
 from asymptotics.bounds import explicit
 from asymptotics.bounds.explicit import _ExplicitTheorem, explicit_bound
 from asymptotics.bounds.uniform import largest_strength, uniform_bound
 from asymptotics.bounds.waveform import waveform_bounds
+from asymptotics.curves.solution import epsilon, tau
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_states

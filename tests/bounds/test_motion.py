@@ -11,13 +11,13 @@ from flint import arb
 import asymptotics as asy
 from asymptotics.bounds import motion
 from asymptotics.bounds.motion import proved_bound
-from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.gauges import GAUGES
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.shell.main import main
 
 MOTIONS = [
     (Oscillator({"3/2": "1/10"}, mass="3/2", stiffness="30", x0="1/5"), "7", "turning-point"),

@@ -49,12 +49,12 @@ def _state(name, times, digits):
 
 def turning(name, count=3, digits=12):
     """The content of a certificate of turning points, to be changed at will."""
-    return copy.deepcopy(_turning(name, count, digits).to_dict())
+    return copy.deepcopy(_turning(name, count, digits).content[0])
 
 
 def state(name, *times, digits=12):
     """The same of states at times."""
-    return copy.deepcopy(_state(name, times, digits).to_dict())
+    return copy.deepcopy(_state(name, times, digits).content[0])
 
 
 def time_of_first(content):

@@ -9,8 +9,9 @@ from pathlib import Path
 
 import pytest
 
+import asymptotics as asy
 from asymptotics import turning_points
-from asymptotics.certificates.certificate import certificate
+from asymptotics.certificates.certificate import certificate, together
 from asymptotics.certificates.claims import turning_claim
 from asymptotics.certificates.of_results import of_states, of_turning_points
 from asymptotics.errors import InputError, LimitError, UndecidedError
@@ -26,7 +27,7 @@ CHECKER = Path(check_certificate.__file__)
 @pytest.mark.parametrize("name", examples.OSCILLATORS)
 def test_turning_points_with_times(name):
     content = examples.turning(name)
-    said = check_certificate.check(content)
+    said = check_certificate.check(content)[1:]
     numbers = [claim["number"] for claim in content["claims"]]
     assert [line.split(":")[0] for line in said] == [f"turning point {n}" for n in numbers]
     assert max(numbers) == 2
@@ -34,13 +35,13 @@ def test_turning_points_with_times(name):
 
 @pytest.mark.parametrize("name", examples.OSCILLATORS)
 def test_states(name):
-    assert len(check_certificate.check(examples.state(name, "1/3", "1", "10"))) == 3
+    assert len(check_certificate.check(examples.state(name, "1/3", "1", "10"))) == 4
 
 
 def test_the_stop_and_the_motion_after_it():
     content = examples.turning("friction", count=40)
     assert check_certificate.check(content)[-1].endswith(": it stays")
-    assert check_certificate.check(examples.state("friction", "1000"))[0].endswith(" v = 0 exactly")
+    assert check_certificate.check(examples.state("friction", "1000"))[1].endswith(" v = 0 exactly")
 
 
 def test_a_state_a_little_beyond_the_longest_piece():
@@ -62,7 +63,7 @@ def test_creep_and_overdamped_motions_are_served():
 @pytest.mark.parametrize("digits", [40, 100])
 def test_many_digits(digits):
     table = dimensionless(Law({"3/2": "1/10"}), 2, digits, times=True)
-    assert f"x = {table.points[1].x}" in of_turning_points(Law({"3/2": "1/10"}), table).proved[1]
+    assert f"x = {table.points[1].x}" in of_turning_points(Law({"3/2": "1/10"}), table).proved[2]
 
 
 def test_a_time_right_beside_a_turning_point():
@@ -81,7 +82,6 @@ def test_a_time_right_beside_a_turning_point():
         (Oscillator({2: "sqrt(2)"}), "strength sqrt"),
         (Oscillator({2: 1}, mass="sqrt(2)"), "mass sqrt"),
         (Oscillator({2: 1}, x0="sqrt(2)"), "x0 sqrt"),
-        (Oscillator({0: "1/10"}), "no exact place"),
     ],
 )
 def test_what_has_none_is_refused_by_name(oscillator, reason):
@@ -139,7 +139,7 @@ def test_the_file_is_checked_by_the_page_alone(tmp_path):
     drag = Oscillator({"3/2": "1/5"})
     made = of_turning_points(drag, turning_points(drag, 6, digits=20, times=True))
     made.save(tmp_path / "a.json")
-    assert json.loads((tmp_path / "a.json").read_text()) == made.to_dict()
+    assert json.loads((tmp_path / "a.json").read_text()) == made.content[0]
     ran = subprocess.run(
         [sys.executable, "-I", "-S", CHECKER, tmp_path / "a.json"], capture_output=True, text=True, cwd=tmp_path
     )
@@ -153,3 +153,57 @@ def test_the_checker_is_one_short_page_of_the_standard_library():
     ast.parse(text, feature_version=(3, 9))
     imported = [line for line in text.splitlines() if line.startswith(("import ", "from "))]
     assert {line.split()[1] for line in imported} == {"json", "re", "sys", "fractions", "math", "typing"}
+
+
+def test_exact_places_and_stops_on_the_edge_are_left_and_told():
+    centre = turning_points(Oscillator({0: "1/10"}), 6, digits=8, times=True).certificate()
+    assert centre.proved[-2:] == (
+        "turning point 5: t = 15.707963 (known to 1e-10)",
+        "turning point 5: it stays",
+    )
+    assert centre.left == ("turning point 5: x = 0 exactly, which no bound tells",)
+    edge = turning_points(Oscillator({0: "1/5"}, x0=-1), 3, digits=3).certificate()
+    assert edge.proved[-1].startswith("turning point 2: x = -0.200 (known")
+    assert edge.left == ("turning point 2: friction just holds the mass there, which no bound tells",)
+    # A place that only rounds to the edge is no exact one.
+    beside = turning_points(Oscillator({0: "1/5", 2: "1/1000000"}), 3, digits=3).certificate()
+    assert beside.left == () and beside.proved[-1] == "turning point 2: it stays"
+
+
+def test_the_results_themselves_have_certificates():
+    """The claims are what is printed, in the units of the result."""
+    for found in (
+        turning_points({2: 1}, 3, digits=9, times=True),
+        turning_points(Oscillator({2: 1}, x0="1/3", mass=2), 3, digits=9, times=True),
+        turning_points(Oscillator({2: 1}, v0="1/3"), 2, digits=9),
+    ):
+        claims = found.certificate().content[0]["claims"]
+        assert [(c["number"], c["x"], c["t"]) for c in claims] == [(p.n, p.x, p.time) for p in found.points]
+    drag = asy.reference({2: "1/10"})
+    claims = drag.certificate(["1/2", 2], digits=9).content[0]["claims"]
+    assert [(c["t"], c["x"], c["v"]) for c in claims] == [
+        (t, drag.at(t, digits=9).x, drag.at(t, digits=9).v) for t in ("1/2", "2")
+    ]
+    assert drag.certificate(2, digits=9).content[0]["claims"] == claims[1:]
+    with pytest.raises(InputError, match="static"):
+        asy.reference({0: "1/10"}, static="1/5").certificate(1)
+
+
+def test_several_in_one_file():
+    one, two = (turning_points({a: "1/10"}, 2, digits=5).certificate() for a in (1, 2))
+    both = together([one, two], ["what is left"])
+    assert check_certificate.told(json.loads(both.to_json())) == [*one.proved, *two.proved]
+    assert both.left == ("what is left",)
+    with pytest.raises(LimitError, match="equations"):
+        together([both] * 501)
+
+
+@pytest.mark.slow
+def test_a_thousand_half_swings_and_a_hundred_digits():
+    """The limits that the help states, within the time that a request has."""
+    long = turning_points({"3/2": "1/1000"}, 1001, digits=12, times=True)
+    assert len(long.certificate(max_seconds=60).proved) == 1002
+    fine = turning_points({"3/2": "1/10"}, 11, digits=100, times=True)
+    assert len(fine.certificate(max_seconds=60).proved) == 12
+    with pytest.raises(InputError, match="count"):
+        turning_points({"3/2": "1/1000"}, 1, start=1001, digits=3).certificate()

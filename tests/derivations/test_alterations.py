@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 import sympy
 
-from asymptotics.public import limited
+from asymptotics.running.public import limited
 from derivations.__main__ import names
 from derivations.relations import value
 from derivations.steps import At, Coefficient, Derivation, Solution, Taylor, defined, named

@@ -10,8 +10,7 @@ from flint import acb, arb, ctx
 from scipy.integrate import solve_ivp
 
 import asymptotics as asy
-from asymptotics.api.large import SpringEnvelope
-from asymptotics.cli.main import main
+from asymptotics.curves.large import SpringEnvelope
 from asymptotics.envelopes.large import SlowFlow, _power, _Rate, _Turn
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.forces import Forces
@@ -20,6 +19,7 @@ from asymptotics.expansions.straightening.wells import Loss, Well
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import parse_real
 from asymptotics.numbers.precision import TooWideError
+from asymptotics.shell.main import main
 from asymptotics.terms import Term
 from tests.second_route.straightened import straighten
 

@@ -4,7 +4,7 @@ import pytest
 import sympy
 
 import asymptotics as asy
-from asymptotics.api.solution import D, epsilon, tau
+from asymptotics.curves.solution import D, epsilon, tau
 from asymptotics.envelopes.named_slow_time import named_slow_time, rate_letters
 from asymptotics.expansions.half_swings.symbolic import alpha as symbolic_alpha
 from asymptotics.expansions.multiple_scales.orders import a

@@ -8,7 +8,7 @@ import pytest
 import sympy
 
 import asymptotics as asy
-from asymptotics.api.solution import D, epsilon, tau
+from asymptotics.curves.solution import D, epsilon, tau
 from asymptotics.expansions.normal_form.digits import certified_digits
 from asymptotics.terms import Term
 

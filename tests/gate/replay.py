@@ -14,7 +14,7 @@ import re
 import tempfile
 from pathlib import Path
 
-from asymptotics.cli.main import main
+from asymptotics.shell.main import main
 
 RECORD = Path(__file__).parent / "recorded.jsonl"
 _CHANGING = (

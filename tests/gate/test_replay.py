@@ -9,9 +9,9 @@ _EVERY = 15  # of make test: ten seconds
 
 
 def test_the_record_has_lines_of_every_command():
-    from asymptotics.cli.commands import COMMANDS  # noqa: PLC0415 (what is loaded when the record is read)
+    from asymptotics.ask.registry import QUESTIONS  # noqa: PLC0415 (what is loaded when the record is read)
 
-    assert {row[0][0] for row in ROWS if row[0]} >= set(COMMANDS) - {"identify"}
+    assert {row[0][0] for row in ROWS if row[0]} >= set(QUESTIONS) - {"identify"}
     assert len(ROWS) > 1000
 
 

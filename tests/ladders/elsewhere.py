@@ -7,7 +7,7 @@ ELSEWHERE: Names = {
         "return_map.sequence", "Interpolated.leap following", "tests/return_map/test_panels.py::test_a_ladder_of_panels"
     ),
     **each(
-        "api.waves",
+        "curves.waves",
         "Waveforms.balls Waveforms.enclosed",
         "tests/expansions/multiple_scales/test_certified_waves.py::test_more_digits_are_narrower_and_overlap",
     ),

@@ -15,13 +15,17 @@ NONE_NEEDED: Names = {
     **each("expansions.half_swings.odd_abel", "odd_solution", EXACT),
     **each("expansions.half_swings.certified_moments", "divide", EXACT),
     **each("expansions.half_swings.certified_orders", "dot integrate_series", EXACT),
-    **each("identification.certified_sets.certified_ratio", "CertifiedRatio.areas CertifiedRatio.gradient", EXACT),
     **each(
-        "identification.certified_sets.certified_ratio",
+        "decays.identification.certified_sets.certified_ratio",
+        "CertifiedRatio.areas CertifiedRatio.gradient",
+        EXACT,
+    ),
+    **each(
+        "decays.identification.certified_sets.certified_ratio",
         "followed",
         "ln of return_map.half_swing_map.integrated, which has a ladder, at 53 bits",
     ),
-    **each("identification.certified_sets.table_rows", "RatioInequality.local exact rows_of", EXACT),
+    **each("decays.identification.certified_sets.table_rows", "RatioInequality.local exact rows_of", EXACT),
     **each("motions.doubles", "Doubles.of", MIDPOINTS),
     **each(
         "motions.frame", "Frame.of Frame.terms Frame.monomial Frame.start Frame.turning_point Frame.reach", MIDPOINTS

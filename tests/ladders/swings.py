@@ -4,6 +4,7 @@ from itertools import islice
 
 from flint import arb, ctx
 
+from asymptotics.decays.identification.certified_sets.certified_ratio import CertifiedRatio
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.certified_orders import elementary_series, sine_ratio_power
 from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
@@ -21,7 +22,6 @@ from asymptotics.flow.slow_manifold.slow_curve_series import summed, truncated
 from asymptotics.flow.taylor import GUARD, TaylorStep, coefficients
 from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.flow.turning import at_rest
-from asymptotics.identification.certified_sets.certified_ratio import CertifiedRatio
 from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.return_map.chebyshev import coefficients as chebyshev
@@ -277,7 +277,7 @@ SERIES = [
     # An odd and an even number of nodes, with and without a node at 0; one alone has no odd degree.
     *(Ladder(many("sums values", TRANSFORM), transformed(count), lost=4, stretch=12) for count in (1, 2, 7)),
     Ladder(
-        many("of at polynomial", "asymptotics.identification.certified_sets.certified_ratio.CertifiedRatio."),
+        many("of at polynomial", "asymptotics.decays.identification.certified_sets.certified_ratio.CertifiedRatio."),
         ratio,
         "0.01",
         30,

@@ -14,7 +14,7 @@ from benchmarks.bound_sites import sites
 from tests.ladders.walk import ROOT, trees
 
 ROOMS = {
-    "bounds", "comparison", "envelopes", "equivalent", "expansions", "flow", "identification", "limit_cycles",
+    "bounds", "decays", "envelopes", "equivalent", "expansions", "flow", "limit_cycles",
     "motions", "numbers", "return_map", "turning",
 }  # fmt: skip
 
@@ -74,7 +74,7 @@ NO_BOUND = {
     "bounds.local._sharp": "asks whether radii are small enough",
     "expansions.half_swings.finite_majorant._seems_to_exist": "balls as a key of a cache; the answer is in floats",
     "expansions.half_swings.nodes._lost": "how wide the balls are; wider than wanted, they are made again",
-    "identification.certified_sets.set_valued._searched": "boxes of doubles, searched; table_rows claims",
+    "decays.identification.certified_sets.set_valued._searched": "boxes of doubles, searched; table_rows claims",
     "motions.formal_forces.FormalForces.__init__": "a union of sets",
     "motions.reference._within": "asks whether a radius is small enough",
     "numbers.alike.key": "a ball as a key: which results are equal",

@@ -69,7 +69,7 @@ BOUNDS: Names = {
         "test_the_majorant_is_above_the_function_and_not_far_above",
     ),
     **each(
-        "identification.certified_sets.certified_ratio",
+        "decays.identification.certified_sets.certified_ratio",
         "CertifiedRatio.tail",
         "test_L_is_bounded_on_the_circle_of_the_tail",
     ),

@@ -6,7 +6,7 @@ import pytest
 import sympy
 from flint import arb
 
-from asymptotics.api.motions import Reference
+from asymptotics.curves.motions import Reference
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions import coulomb

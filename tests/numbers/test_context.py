@@ -13,9 +13,9 @@ import pytest
 from flint import ctx as flint_ctx
 
 import asymptotics as asy
-from asymptotics.budget import budget
 from asymptotics.numbers.context import alone, ctx
 from asymptotics.numbers.decimal_context import intervals, workdps
+from asymptotics.running.budget import budget
 from asymptotics.turning.quadratic_series import abel_coefficients, half_period_series, map_series
 from tests.sources import nodes
 
@@ -186,7 +186,7 @@ def test_nobody_is_let_in_while_another_thread_is_inside():
 FOLDERS = ("asymptotics", "derivations", "paper_checks", "benchmarks")
 DOOR = {"asymptotics/numbers/context.py", "asymptotics/numbers/decimal_context.py"}
 LOOKED_UP = {  # caches of what no precision enters: files, parsers, numbers of doubles
-    "asymptotics/made_by.py", "asymptotics/cli/swept.py", "asymptotics/papers/lookup.py",
+    "asymptotics/made_by.py", "asymptotics/ask/typed.py", "asymptotics/papers/lookup.py",
     "asymptotics/papers/derived.py",
 }  # fmt: skip
 CACHES = {"cache", "lru_cache", "cached_property"}

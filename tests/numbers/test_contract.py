@@ -109,16 +109,17 @@ def test_what_is_no_integer_in_range_is_refused_by_name(call, values):
 
 
 INTERNAL = {  # helpers whose digits come from the functions above
-    "asymptotics.comparison", "asymptotics.testing", "asymptotics.expansions.half_swings",
+    "asymptotics.decays.comparison", "asymptotics.testing", "asymptotics.expansions.half_swings",
     "asymptotics.motions.certify",
     "asymptotics.expansions.normal_form", "asymptotics.numbers", "asymptotics.flow.linear_spring", "asymptotics.tables",
     "asymptotics.equivalent",
-    "asymptotics.cli", "asymptotics.expansions.equations",
+    "asymptotics.shell", "asymptotics.expansions.equations",
     "asymptotics.turning.quadratic_map",
     "asymptotics.turning.energy_primitive", "asymptotics.turning.routes", "asymptotics.turning.result",
     "asymptotics.turning.half_swing",
-    "asymptotics.limit_cycles", "asymptotics.bounds", "asymptotics.api.evaluated", "asymptotics.api.envelope_order",
-    "asymptotics.api.envelope_table", "asymptotics.certificates", "asymptotics.api.started",
+    "asymptotics.limit_cycles", "asymptotics.bounds", "asymptotics.curves.evaluated",
+    "asymptotics.curves.envelope_order",
+    "asymptotics.curves.envelope_table", "asymptotics.certificates", "asymptotics.curves.started",
     "asymptotics.expansions.multiple_scales.rates", "asymptotics.curves",
     "asymptotics.ask",  # read by their kinds: tests/ask
 }  # fmt: skip

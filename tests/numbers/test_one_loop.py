@@ -8,10 +8,10 @@ from tests.sources import nodes
 
 ROOT = Path(__file__).parents[2]
 OTHERS = {
-    "api/constants.py::T": "foretells to which precision the one loop will come, for the price",
+    "motions/invariants/constants.py::T": "foretells to which precision the one loop will come, for the price",
     "bounds/local.py::_half_swing": "three sizes of the bounds beyond the order: the last is taken, sharp or not",
     "bounds/motion.py::proved_bound": "digits of an enclosure that the one loop makes; any of them gives a bound",
-    "comparison/truth.py::at_turning_points": "digits beside a tie of what is printed in SI, each by the one loop",
+    "decays/comparison/truth.py::at_turning_points": "digits beside a tie of what is printed, each by the one loop",
     "expansions/half_swings/nodes.py::through": "fewer bits for what is small: nothing is decided",
     "flow/secant.py::secant": "Newton's steps gain bits and start with few: a choice, fully precise in the end",
     "flow/times.py::_speed_at": "Newton's steps gain bits and start with few: a choice, fully precise in the end",

@@ -7,8 +7,7 @@ import pytest
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import Select, WebDriverWait
 
-from asymptotics.papers.lookup import statements
-from asymptotics.papers.search import Searched
+from asymptotics.papers import derived, documented, lookup
 from asymptotics.papers.search import ranked as by_command
 from paper_checks.mathml import to_mathml
 from paper_checks.report import font
@@ -131,7 +130,7 @@ QUERIES = (
 def test_the_search_of_a_page_ranks_as_the_command_does(browser, report):
     browser.get((report / "index.html").as_uri())
     ranks = browser.execute_script("return arguments[0].map(q => ranked(q).map(e => e.id))", list(QUERIES))
-    searched = [Searched.of(s) for s in statements()]
+    searched = [*lookup.searched(), *derived.searched(), *documented.searched()]
     tables = {name.replace(".", ":") for name in ("lancaster2020.table1", "smith2012.table1", "smith2012.transit-time")}
     for query, found in zip(QUERIES, ranks):
         assert [key for key in found if key not in tables] == by_command(searched, query), query

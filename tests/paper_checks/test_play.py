@@ -11,9 +11,9 @@ import pytest
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-from asymptotics.cli.main import main
 from asymptotics.expansions.normal_form.coefficients import expansion_coefficients
 from asymptotics.numbers.exact import parse_real
+from asymptotics.shell.main import main
 from paper_checks.report.play import PRESETS, play_page
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one

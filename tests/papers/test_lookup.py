@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.papers.lookup import SHORTFALLS, find, paper, papers, statements
+from asymptotics.shell.main import main
 from paper_checks.data import DATA, written
 from paper_checks.registry import PAPERS, load
 

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import asymptotics as asy
-from asymptotics.cli.main import main
+from asymptotics.decays.identification.telling.plots import draw_decrements
 from asymptotics.errors import InputError
-from asymptotics.identification.telling.plots import draw_decrements
 from asymptotics.present.drawn import Drawn
+from asymptotics.shell.main import main
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "docs/extensions"))
 

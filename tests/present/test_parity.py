@@ -6,7 +6,7 @@ import pandas as pd
 import pytest
 
 import asymptotics as asy
-from asymptotics.cli.main import main
+from asymptotics.shell.main import main
 
 TABLES = {
     "turning-points --law 0:1/20 --law 3/2:1/10 --rows 3": {"law": {0: "1/20", "3/2": "1/10"}, "rows": 3},

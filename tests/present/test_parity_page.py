@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 
 import asymptotics as asy
-from asymptotics.cli.asked import Command
-from asymptotics.cli.commands import module_of
-from asymptotics.cli.main import COMMANDS, main
+from asymptotics.ask.registry import QUESTIONS
+from asymptotics.shell.asked import Command, command_of
+from asymptotics.shell.main import main
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 
@@ -37,12 +37,12 @@ def sections():
 
 def options_of(command):
     parser = argparse.ArgumentParser(prog=command, add_help=False)
-    module_of(command).configure(parser)
+    command_of(command).configure(parser)
     shown = [a for a in parser._actions if a.help != argparse.SUPPRESS]
     return {a.option_strings[-1] if a.option_strings else a.metavar for a in shown}
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("command", QUESTIONS)
 def test_every_option_has_its_call(command):
     common = {o for row, _ in sections()["Options that mean the same everywhere"] for o in row}
     own = [o for row, _ in sections()[command] for o in row]
@@ -188,4 +188,4 @@ def test_the_commands_that_read_files_say_the_same(tmp_path, capsys):
 
 def test_every_command_has_a_pair():
     paired = {line.split()[0] for line in PAIRS} | {"compare", "identify", "sweep"}
-    assert paired == set(COMMANDS)
+    assert paired == set(QUESTIONS)

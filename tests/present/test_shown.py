@@ -11,6 +11,7 @@ import asymptotics as asy
 from asymptotics.errors import InputError
 from asymptotics.present.letters import MEANINGS, letters
 from asymptotics.present.shown import MAX_LINES, Page, Rows, Shown, frame
+from asymptotics.present.signs import signs
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 
@@ -18,10 +19,10 @@ from every_type import SAMPLES, SETUP, name_of, types
 
 CLAIM = re.compile(r"certified|estimate|measured|exact|proved|correctly rounded|heuristic|formal|intervals: ")
 SAYINGS = {  # what was asked, a verdict in words, or a report of what was done: no number that could be uncertain
-    "law.Law", "law.Oscillator", "law.PhysicalLaw", "terms.Term", "sweeps.run.SweepResult",
+    "law.Law", "law.Oscillator", "law.PhysicalLaw", "terms.Term", "frames.Frame", "sweeps.run.SweepResult",
     "papers.statement.PaperStatement",
-    "identification.telling.result.Identification", "identification.telling.verdicts.Verdict",
-    "identification.judging.allowance.Allowance",
+    "decays.identification.telling.result.Identification", "decays.identification.telling.verdicts.Verdict",
+    "decays.identification.judging.allowance.Allowance",
 }  # fmt: skip
 
 
@@ -83,6 +84,38 @@ def test_pages_start_with_the_verdict_and_say_what_it_is_worth(made):
         assert name in SAYINGS or CLAIM.search("\n".join([page.title, *page.lines])), f"{name}: {page}"
         assert "object at 0x" not in shown, name
         assert all(len(row) == len(page.head) for row in page.rows), name
+
+
+UNSET = re.compile(
+    r"\*|\\|sqrt\(|\^|Integral\(|Derivative\(|(?<![A-Za-z_])[A-Za-z]_\d|\b(?:alpha|epsilon|kappa|omega)_\d"
+)
+
+
+def unset(html):
+    """The signs of a program or of TeX that a card shows; what stands inside a tag is none."""
+    return UNSET.findall(re.sub(r"<[^>]*>", "", html))
+
+
+@pytest.mark.timeout(120)
+def test_the_mathematics_of_every_card_is_typeset(made):
+    assert {name: found for name, each in made.items() if (found := unset(each._repr_html_()))} == {}
+    assert {s.id: found for s in asy.statements() if (found := unset(s._repr_html_()))} == {}
+    assert "<math" in asy.paper("smith2012:62b")._repr_html_()
+
+
+@pytest.mark.parametrize("text", [r"\sum_n", "a**2", "2*x", "sqrt(2)", "x^2", "kappa_1", "Integral(x, x)"])
+def test_a_sign_of_a_program_is_noticed(text):
+    assert unset(f"<p>{text}</p>")
+
+
+def test_what_is_to_be_copied_or_is_a_name_stays():
+    for text in ("asymptotics expand --alpha 2 --order 4", "asy.law(epsilon_1)", "energy_loss", "my_x_file.csv"):
+        assert signs(text) == text
+
+
+def test_without_the_converter_a_notebook_sets_the_formula(monkeypatch):
+    monkeypatch.setitem(sys.modules, "latex2mathml.converter", None)
+    assert "$e^{-2u_0}" in asy.paper("smith2012:43")._repr_html_()
 
 
 def test_at_is_a_method_wherever_it_is(made):

@@ -4,8 +4,8 @@ from contextlib import contextmanager
 
 from hypothesis import assume, note
 
-from asymptotics.budget import DEFAULT_SECONDS, budget
 from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.running.budget import DEFAULT_SECONDS, budget
 
 SECONDS = DEFAULT_SECONDS  # what a public call has; almost all examples need less than half a second
 

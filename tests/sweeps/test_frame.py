@@ -7,7 +7,7 @@ from functools import partial
 import pytest
 
 import asymptotics as asy
-from asymptotics.cli.swept import run_point
+from asymptotics.ask.axes import run_point
 from asymptotics.sweeps import Grid, values
 
 

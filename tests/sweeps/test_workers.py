@@ -14,8 +14,8 @@ import pytest
 import tasks
 from tasks import sweep
 
-from asymptotics.cli.main import main
 from asymptotics.errors import InputError
+from asymptotics.shell.main import main
 from asymptotics.sweeps import workers
 from asymptotics.sweeps.export import records
 from asymptotics.sweeps.store import Store

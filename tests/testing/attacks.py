@@ -5,8 +5,7 @@
 * ``false``: a claim of it is false;
 * ``unclear``: it can be read in two ways, or claims nothing, or more than the reader sees;
 * ``limit``: it is longer than the checker takes;
-* ``fault``: without the line the checker ends in a traceback;
-* ``unproved``: no false claim is known that passes, but the argument of the page does not hold without the line.
+* ``fault``: without the line the checker ends in a traceback.
 """
 
 import json
@@ -130,8 +129,8 @@ ATTACKS = [
         lambda: forged.changed(examples.turning("sum"), format="2"),
         "unclear",
     ),
-    Attack("gains", "a >= 0 and e >= 0", "a >= 0", forged.gaining),
-    Attack("a negative exponent", "a >= 0 and e >= 0", "e >= 0", forged.falling, "fault"),
+    Attack("gains", "a >= 0 and e >= 0 and", "a >= 0 and", forged.gaining),
+    Attack("a negative exponent", "a >= 0 and e >= 0 and", "e >= 0 and", forged.falling, "fault"),
     Attack(
         "long exponents",
         "a.numerator + a.denominator <= EXPONENT",
@@ -147,7 +146,16 @@ ATTACKS = [
         lambda: forged.changed(examples.turning("sum"), stiffness="0"),
         "fault",
     ),
-    Attack("much work", "work <= WORK", "True", lambda: examples.turning("sum"), "limit", {"WORK": 1000}),
+    Attack("much work", "work * share <= WORK", "True", lambda: examples.turning("sum"), "limit", {"WORK": 1000}),
+    Attack(
+        "a list of much work",
+        "work * share <= WORK",
+        "work <= WORK",
+        lambda: 20 * [examples.turning("sum", 2, 3)],
+        "limit",
+        {"WORK": 10_000},
+    ),
+    Attack("a list of none", "listed(content, 1, 1000) if type(content)", "content if type(content)", list, "unclear"),
     Attack("a turning point left out", 'shape[0] != "leave" or resting', "True", forged.without_one),
     Attack(
         "a jump of the place", "k / root_low * abs(begin[0] - x) + ", "", lambda: forged.other_start(place="51/100")
@@ -160,13 +168,17 @@ ATTACKS = [
     ),
     Attack("long times", "T.denominator.bit_length() <= 2 * BITS", "True", forged.in_thirds, "limit", {"BITS": 8}),
     Attack("a speed within its error", 'need(low > E, "V_low > E")', "pass", forged.kicked_up),
-    Attack("the least speed", "(V[0] - others(V)) / unit, (V", "V[0] / unit, (V", forged.kicked_up_in_one),
+    Attack(
+        "the least speed",
+        "low, defect = (V[0] - others(V)) / unit",
+        "low, defect = V[0] / unit",
+        forged.kicked_up_in_one,
+    ),
     Attack("an error in other units", "E / root_low, shape", "E, shape", forged.soft_start),
     Attack("a rest that is none", 'need(g > 0, "g > 0")', "pass", forged.before_it_rests),
-    Attack("a turning point that is early", "T - near, T + E / g", "T, T + E / g", forged.late),
-    Attack("a turning point that is late", "T - near, T + E / g", "T - near, T", forged.early),
+    Attack("a turning point that is early", "T - duration * E / low, T + E / g", "T, T + E / g", forged.late),
+    Attack("a turning point that is late", ", T + E / g", ", T", forged.early),
     Attack("a stop that is none", "k * (abs(x) + off) <= H", "k * abs(x) <= H", forged.held_or_not),
-    Attack("a rest whose place is not known", "or place > moved + off", "or True", forged.crude, "unproved"),
     Attack(
         "more digits than are claimed",
         "(d / unit).denominator == 1",

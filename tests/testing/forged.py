@@ -170,7 +170,7 @@ def without_one():
     """Without the piece that arrives at turning point 1, a thousandth before it: the next one is called number 1."""
     there = [{"kind": "turning point", "number": n, "digits": 8, "x": None, "t": None} for n in (1, 2)]
     before = {"kind": "state", "digits": 8, "t": "6291/2000", "x": None, "v": None}
-    content = certificate(examples.OSCILLATORS["quadratic"], [*there, before]).to_dict()
+    content = certificate(examples.OSCILLATORS["quadratic"], [*there, before]).content[0]
     at = next(i for i, p in enumerate(content["pieces"]) if p["kind"] == "arrive")
     pieces = [p for i, p in enumerate(content["pieces"]) if i != at]
     claim = {"kind": "turning point", "number": 1, "digits": 1, "x": "0.8", "t": None}
@@ -209,7 +209,7 @@ def before_it_rests():
     """
     a, S, H = Fraction(1, 100), Fraction(3, 2), Fraction(1, 20)
     moving = Oscillator({0: H, 2: 1 / (2 * a)}, x0="-76/1000")
-    content = of_states(moving, [("5/4", reference_motion(moving, "5/4", 5))], 5).to_dict()
+    content = of_states(moving, [("5/4", reference_motion(moving, "5/4", 5))], 5).content[0]
     places = {0: a - H, 2: -a * S**2 / 2}
     arrive = packed("arrive", S, places, [None, {0: (a * S) ** 2}], content["bits"])
     claim = {"kind": "turning point", "number": 1, "digits": 1, "x": None, "t": "-2"}
@@ -236,13 +236,6 @@ def held_or_not():
     return changed(content, start=["901/1000", "0"], claims=content["claims"][-1:])
 
 
-def crude():
-    """A rest with an error that is nearly as large as the amplitude."""
-    p = {0: Fraction(1), 2: Fraction(-1, 2) * Fraction(36, 25), 4: Fraction(1, 24) * Fraction(36, 25) ** 2}
-    claims = [{"kind": "state", "digits": 1, "t": "6/5", "x": None, "v": None}]
-    return whole([], ["8/25", "0"], [packed("leave", Fraction(6, 5), p, [])], claims)
-
-
 def late():
     """A short piece twice: y turns so much later than the motion, just beyond the end of a rounding."""
     edge = Fraction("3.1465")
@@ -263,7 +256,7 @@ TURNS = Fraction("3.14622255601")  # of turning point 1 of "quadratic"
 def with_short_piece(length):
     oscillator, times = examples.OSCILLATORS["quadratic"], [Fraction(2), 2 + length, Fraction(4)]
     states = [(t, reference_motion(oscillator, t, 8)) for t in times]
-    content = of_states(oscillator, states, 8).to_dict()
+    content = of_states(oscillator, states, 8).content[0]
     at = next(i for i, p in enumerate(content["pieces"]) if p["kind"] == "pass" and 2 * Fraction(p["scale"]) == length)
     return content, at
 

@@ -27,7 +27,7 @@ def verdict(page, certificate, path):
         if isinstance(certificate, str):
             path.write_text(certificate)
             certificate = page["read"](path)
-        page["check"](certificate)
+        page["told"](certificate)
     except page["RefusedError"] as reason:
         return str(reason)
     except Exception as fault:

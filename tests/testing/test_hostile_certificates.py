@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from asymptotics.testing import check_certificate
-from asymptotics.testing.check_certificate import RefusedError, check, read
+from asymptotics.testing.check_certificate import RefusedError, check, read, told
 from tests.certificates import examples
 from tests.certificates.truth import false_claims
 from tests.testing.damage import damaged, leaves, put
@@ -40,13 +40,17 @@ SAMPLES = [
         b"null",
         b'"..\\u0000/etc/passwd"',
         b'{"__class__": "os.system"}',
+        b"[]",
+        b"[[]]",
+        b"[{}]",
+        b"[" + b"{}," * 1000 + b"{}]",
     ],
 )
 def test_a_file_that_is_none_is_refused(tmp_path, data):
     path = tmp_path / "a.json"
     path.write_bytes(data)
     with pytest.raises(RefusedError):
-        check(read(path))
+        told(read(path))
 
 
 def test_neither_a_folder_nor_nothing_is_read(tmp_path):

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from asymptotics.testing.check_certificate import RefusedError, check, read
+from asymptotics.testing.check_certificate import RefusedError, read, told
 from tests.certificates import examples
 from tests.testing.attacks import ATTACKS
 from tests.testing.damage import damaged
@@ -20,6 +20,7 @@ GOOD = [
     *(examples.turning(name) for name in examples.OSCILLATORS),
     *(examples.state(name, "1/3", "1") for name in examples.OSCILLATORS),
     examples.turning("held", 3, 3),
+    [examples.turning("sum"), examples.state("quadratic", "1")],
 ]
 
 
@@ -31,7 +32,7 @@ def verdicts(contents, folder):
         path.write_text(content if isinstance(content, str) else json.dumps(content))
         paths.append(path)
         try:
-            check(read(path))
+            told(read(path))
             first.append(True)
         except RefusedError:
             first.append(False)
@@ -52,7 +53,8 @@ def test_forged_ones_are_refused_by_both(tmp_path):
 
 def test_damaged_ones_are_judged_alike(tmp_path):
     rng = random.Random(1000)
-    contents = [damaged(rng.choice(GOOD), rng) for _ in range(100)]
+    contents = [damaged(rng.choice(GOOD[:-1]), rng) for _ in range(100)]
+    contents += [[GOOD[0], content] for content in contents[:5]]
     first, second = verdicts(contents, tmp_path)
     assert first == second and {True, False} == set(first)
 
@@ -61,6 +63,6 @@ def test_damaged_ones_are_judged_alike(tmp_path):
 @pytest.mark.parametrize("seed", range(8))
 def test_a_thousand_damaged_ones_are_judged_alike(tmp_path, seed):
     rng = random.Random(2000 + seed)
-    contents = [damaged(rng.choice(GOOD), rng) for _ in range(125)]
+    contents = [damaged(rng.choice(GOOD[:-1]), rng) for _ in range(125)]
     first, second = verdicts(contents, tmp_path)
     assert first == second

@@ -5,10 +5,10 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
-from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import parse_real
+from asymptotics.shell.main import main
 from asymptotics.turning import energy_primitive
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.energy_primitive import PrimitiveWell, swings

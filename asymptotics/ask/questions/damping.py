@@ -3,28 +3,23 @@
 import argparse
 from collections.abc import Sequence
 from itertools import islice
-from pathlib import Path
 from typing import Annotated, Any, cast
 
-from asymptotics.api.units import law_of
-from asymptotics.ask.answers import Offers, Request
-from asymptotics.ask.forces import read_law
-from asymptotics.ask.kinds import COMPUTED, FLAG, REAL, SECONDS, Kind, Option, digits, whole
+from asymptotics.ask.answers import Again, Offers, Request
+from asymptotics.ask.kinds import COMPUTED, FLAG, SECONDS, Kind, Option, digits, whole
 from asymptotics.ask.laws import LAW_FEEDS, SYMBOLIC, law_options, start_options, unit_options
 from asymptotics.ask.moving import Given, read_oscillator
 from asymptotics.ask.question import question
-from asymptotics.cut_short import changed
+from asymptotics.ask.questions._damping_law import damping_law
 from asymptotics.equivalent.at_amplitudes import damping_at
 from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import DRAWN
 from asymptotics.equivalent.symbolic import symbolic_exponent
 from asymptotics.errors import InputError, LimitError
-from asymptotics.identification.damping_table import law_of_table
-from asymptotics.identification.found_law import DampingLaw
-from asymptotics.law import PENDULUM, LawLike, Oscillator, SpringLike
+from asymptotics.law import LawLike, Oscillator, SpringLike
+from asymptotics.law_given import law_of
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
-from asymptotics.present.inputs import csv_text, option_words, with_words
 
 # 100 digits leave thirty of the 130 that pi has in the units of angles; 12 is the order of the bounds
 # (``bounds.uniform``), and a thousand certified swings are the work of minutes.  Refusals.
@@ -78,123 +73,7 @@ def _amplitudes(value: Any, name: str) -> tuple[ExactReal, ...]:
 
 
 AMPLITUDES = Kind("A,A,...", _amplitudes, group="the data")
-TABLE = Kind("FILE", lambda table, _: table, option="from", group="the data")
 UNIT = Kind("U", lambda unit, _: unit, words=True, group="the data")
-LAWS = Kind("LAW", lambda laws, _: laws, words=True, several=True)
-_SPRING = next(o for o in law_options() if o.name == "spring")
-
-
-def _springs_of_options(options: argparse.Namespace) -> Any:
-    """The springs as a mapping, or the pendulum's name."""
-    if options.spring is None:
-        return None
-    # The reader of laws wants a loss: one is put in, and only the springs are taken out again.
-    terms = read_law(argparse.Namespace(**{**vars(options), "law": ["1:1"], "alpha": None}), "epsilon").springs
-    if any(t.family for t in terms):
-        return PENDULUM
-    return {(t.position, t.velocity): t.strength for t in terms}
-
-
-SPRINGS = Kind("SPRING", lambda spring, _: spring, options=(_SPRING,), assemble=_springs_of_options, group="the law")
-
-
-LAW_HEAD = ("law", "grade", "alpha", "low", "strength", "high")
-
-
-def law_rows(found: DampingLaw) -> list[tuple[Any, ...]]:
-    """A row for each strength of each law."""
-    return [(c.name, c.told(), s.alpha, s.low, s.estimate, s.high) for c in found.laws for s in c.strengths]
-
-
-def _law_csv(found: DampingLaw, request: Request) -> str:
-    """The strengths, and in the header the request with the numbers of the table in the place of its file."""
-    laws = ",".join("+".join(alphas) for alphas in found.problem.candidates)
-    table = {name: ",".join(map(repr, column)) for name, column in found.table.items()}
-    given = {name: request.typed(name) for name in ("spring", "mass", "stiffness")}
-    words = ["damping-law", *option_words({**table, "laws": laws, **given})]
-    return with_words(csv_text(LAW_HEAD, law_rows(found)), words)
-
-
-_NOT_OF_A_TABLE = (  # the law is what is looked for, so that nothing may say it beforehand
-    "alpha", "law", "epsilon", "damping", "x0", "amplitudes", "unit", "order", "digits", "latex", "conversions",
-    "quantity", "size", "dpi",
-)  # fmt: skip
-
-
-def _require_a_table_alone(request: Request) -> None:
-    path = Path(request["table"])
-    try:  # first: of a file that is not there no combination matters
-        path.stat()
-    except OSError as error:
-        raise InputError("--from", f"cannot read {path.name[:80]}: {error.strerror}", "a file of data") from None
-    for name in _NOT_OF_A_TABLE:
-        if request.typed(name):
-            raise InputError(f"--{name}", "cannot be combined with --from", "the table, --laws, --resolution, --spring")
-    if request.typed("plot"):
-        raise InputError("--plot", "cannot be combined with --from", "--csv, or asymptotics damping of the law found")
-
-
-@question(Offers(as_csv=_law_csv, typed=_require_a_table_alone))
-def damping_law(
-    table: Annotated[Any, TABLE],
-    *,
-    resolution: Annotated[Number | None, REAL.called(letter="S", group="the data")] = None,
-    laws: Annotated[str | Sequence[str] | None, LAWS] = None,
-    spring: Annotated[SpringLike | None, SPRINGS] = None,
-    mass: Annotated[Number | None, REAL.called(letter="M", group="the law")] = None,
-    stiffness: Annotated[Number | None, REAL.called(letter="K", group="the law")] = None,
-    max_seconds: Annotated[Number, SECONDS] = 60,
-) -> DampingLaw:
-    """The damping law behind amplitudes and zeta, Q or decrement (ln(A_n/A_(n+2))): candidates with grades, intervals.
-
-    Strengths are b in SI with ``mass`` and ``stiffness``, else epsilon.  First order; what it neglects is measured on
-    the best law.
-
-    Parameters
-    ----------
-    table
-        columns A, zeta (Q, decrement), resolution: the law
-    resolution
-        with --from: the standard deviation of each value
-    laws
-        with --from: candidate laws, exponents: 1 1+2 0+2 ...
-    spring
-        as for ``Law``
-    mass
-        in kg
-    stiffness
-        in N/m
-    max_seconds
-        the time the request may take, in seconds
-
-    Raises
-    ------
-    InputError
-        by name, for a table without a column A or with two of zeta, Q, decrement, and for values that are not positive
-    LimitError
-        after ``max_seconds``
-
-    Notes
-    -----
-    ``table`` is a file, a data frame or a mapping with a column A (amplitude, m or rad, or as its header says: A [deg],
-    A [mm]), one of zeta, Q, decrement, and perhaps resolution (the standard deviation of each).  Source: derivation
-    ``equivalent-damping``.
-
-    Examples
-    --------
-    >>> found = damping_law({"A": [0.1, 0.2, 0.4, 0.8], "zeta": [0.0120, 0.0141, 0.0178, 0.0261]}, resolution="0.0002")
-    >>> found.laws[0].name, found.law("2").grade
-    ('1+2', 'refuted')
-    """
-    with changed(lambda _: None):  # what is done on the way to a law is no row of amplitudes
-        return law_of_table(
-            table,
-            resolution=cast("ExactReal | None", resolution),
-            laws=laws,
-            spring=spring,
-            mass=cast("ExactReal | None", mass),
-            stiffness=cast("ExactReal | None", stiffness),
-        )
 
 
 def _require_together(request: Request) -> None:
@@ -231,6 +110,24 @@ def _data(found: EquivalentDamping, request: Request) -> dict[str, Any]:
     return {**found.to_dict(), **({"conversions": [c.to_dict() for c in named]} if named else {})}
 
 
+def _of_the_motion(rows: list[tuple[str, ...]], header: tuple[str, ...]) -> list[tuple[str, ...]]:
+    """The rows of a series of order N hold what its bound leaves: right is the motion itself at that amplitude."""
+    part = header.index("part")
+    amplitude = next(i for i, name in enumerate(header) if name.split(" [")[0] == "amplitude")
+    own = {row[amplitude]: row for row in rows if row[part] == "the motion itself"}
+    return [
+        (*own[row[amplitude]][:part], row[part], *own[row[amplitude]][part + 1 :])
+        if row[part].startswith("order ") and row[amplitude] in own
+        else row
+        for row in rows
+    ]
+
+
+AGAIN = Again(
+    keys=("part", "amplitude"), apart=frozenset(("remark", "bound of zeta log")), rows=_of_the_motion
+)  # an amplitude is what a row is found by here, and a value to be judged elsewhere
+
+
 def _missing(found: EquivalentDamping, request: Request) -> tuple[int, str]:
     texts = request.typed("amplitudes")
     asked = [] if texts is None else texts.split(",")[len(found.rows) :]
@@ -255,6 +152,7 @@ def _missing(found: EquivalentDamping, request: Request) -> tuple[int, str]:
         typed=_require_together,
         missing=_missing,
         inverse=damping_law.__question__,  # type: ignore[attr-defined]
+        again=AGAIN,
         lacks={"gauge": "what is observed is the same in every gauge", "points": "`--amplitudes` says which"},
     )
 )  # fmt: skip
@@ -269,7 +167,7 @@ def damping(
     unit: Annotated[str, UNIT] = "",
     max_seconds: Annotated[Number, SECONDS] = 60,
 ) -> EquivalentDamping:
-    """Equivalent damping of a law at amplitudes: zeta, Q, decrement, energy loss, c_eq, half-life.
+    """Equivalent damping of a law at amplitudes: zeta, Q, decrement, energy loss, c_eq, half-life, period, omega.
 
       asymptotics damping --alpha 2 --epsilon 1/10 --amplitudes 1/2,1
       asymptotics damping --law 1:0.1 --law 2:0.2 --mass 3/2 --stiffness 30 --amplitudes 0.2,0.1 --order 3
@@ -280,8 +178,10 @@ def damping(
     Formulas of first order (one cycle without loss: zeta = Delta E/(4 pi E), Q = 2 pi E/Delta E, decrement
     ln(A_n/A_(n+2)), c_eq = Delta E/closed integral of v dx, half-life from A to A/2), certified numbers of it, and of
     the motion itself over one full swing from rest at A, with zeta_log = d/sqrt(4 pi^2 + d^2) of its decrement d in the
-    place of zeta; with --order N the series of these, each number with its proved bound.
-    --from FILE is the inverse: columns A and zeta, Q or decrement (and resolution), to candidate laws with intervals.
+    place of zeta; with --order N the series of these, each number with its proved bound.  The backbone: period T(A) and
+    omega(A) = 2 pi/T of the cycle without loss, and of the full swing.
+    --from FILE is the inverse: columns A and zeta, Q or decrement (and resolution), or A and n, cycles or t of a decay,
+    to candidate laws with intervals.
     Units are SI when --damping, --mass or --stiffness is given; a pendulum's amplitudes are in rad.
 
     Parameters
@@ -309,7 +209,7 @@ def damping(
     InputError
         for a law without a loss, amplitudes <= 0 or outside the well
     LimitError
-        after ``max_seconds``; ``asymptotics.cut_short.done(error)`` hands over the rows that were done
+        after ``max_seconds``; ``asymptotics.running.cut_short.done(error)`` hands over the rows that were done
 
     Notes
     -----

@@ -53,20 +53,22 @@ def _text(found: Any, _: Request) -> str:
     return f"failed: {found}" if isinstance(found, Failed) else str(found.text())
 
 
-def _shown(name: str | None, max_seconds: Any) -> Any:
+def _shown(request: Request) -> Any:
     """What the shell answers: a list with titles, what is found by words, a derivation, or the step that failed."""
-    names = _names()
+    name, names = request["name"], _names()
     if name is None:
         return Listed(grouped())
+    # What is written as a name is one, or a slip; anything else are words.
+    by_name = name in names or ("-" in name and " " not in name)
     try:
-        # What is written as a name is one, or a slip; anything else are words.
-        by_name = name in names or ("-" in name and " " not in name)
         return derive_by_name(name, names) if by_name else Listed({f"by {name!r}": derivations(name)})
     # A derivation asserts each of its steps while it is imported: one that fails has been refuted, exit code 1.
     except AssertionError as failure:
         return Failed(str(failure))
     except InputError as error:
-        raise _unknown(name, names) from error
+        if by_name or error.argument != "words":
+            raise
+        raise _unknown(name, names, error.accepted) from error
 
 
 def _names() -> list[str]:
@@ -77,9 +79,11 @@ def _names() -> list[str]:
     return names
 
 
-def _unknown(name: str, names: list[str]) -> InputError:
-    near = get_close_matches(name, names, n=3) or names[:3]
-    return InputError("name", f"no derivation {shown(name)}", f"such as {', '.join(near)}; without a name, the list")
+def _unknown(name: str, names: list[str], words: str = "") -> InputError:
+    """The error for a name that is none: the nearest, else what the same words find elsewhere."""
+    near = get_close_matches(name, names, n=3)
+    found = words if words and not near else f"such as {', '.join(near or names[:3])}"
+    return InputError("name", f"no derivation {shown(name)}", f"{found}; without a name, the list")
 
 
 def derive_by_name(name: str, names: list[str]) -> Any:

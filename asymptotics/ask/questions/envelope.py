@@ -1,24 +1,30 @@
 """The first-order envelope and phase: formula, certified numbers, curve."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, cast
 
 import sympy
 
-from asymptotics.api.envelope_order import acting_term, amplitude_and_phase
-from asymptotics.api.envelope_table import Curve, envelope_table
-from asymptotics.api.large import SpringEnvelope
-from asymptotics.api.slow import MAX_DIGITS, envelope
-from asymptotics.api.slow_series import MAX_ORDER, EnvelopeSeries
-from asymptotics.api.slowness import SlowPart
-from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.answers import Again, Offers, Request, read_points
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, digits, whole
 from asymptotics.ask.laws import MOVES
 from asymptotics.ask.moving import OVERLAY, TIME, Given, overlaid, require_stretch
 from asymptotics.ask.question import question
+from asymptotics.ask.registry import loaded
+from asymptotics.ask.typed import typed_options
+from asymptotics.curves.envelope_compared import compared_envelope
+from asymptotics.curves.envelope_order import acting_term, amplitude_and_phase
+from asymptotics.curves.envelope_table import Curve, envelope_table, table_times
+from asymptotics.curves.large import SpringEnvelope
+from asymptotics.curves.slow import MAX_DIGITS, envelope
+from asymptotics.curves.slow_series import MAX_ORDER, EnvelopeSeries
+from asymptotics.curves.slowness import SlowPart
+from asymptotics.decays.comparison.run import Comparison
 from asymptotics.envelopes.symbolic import MEAN, SQUARING
 from asymptotics.errors import InputError
 from asymptotics.law import LawLike, Oscillator
+from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
 
@@ -121,6 +127,25 @@ def _typed(request: Request) -> None:
         raise InputError("--latex", "no elementary form is known for this law", "the command without --latex")
 
 
+def _again(
+    request: dict[str, str],
+    header: list[str],
+    rows: list[tuple[int, list[str]]],
+    digits: int,
+    doubles: Mapping[str, DoubleError],
+) -> Comparison:
+    """A and phi of the request at its own times; InputError for an order above the first, which is formal."""
+    if "order" in request:
+        raise InputError("FILE", "no route certifies an envelope of higher order: formal series", "the first order")
+    options = typed_options("envelope", request)
+    asked = loaded("envelope").of_options(options)
+    time = asked["time"]
+    if time is None or not time > 0:
+        raise InputError("--time", "there is no stretch of time", "a time > 0")
+    times = table_times(time, read_points(options)).tolist()
+    return compared_envelope(curve_of(asked["law"], asked["squaring"]), times, header, rows, digits, doubles)
+
+
 @question(
     Offers(
         latex="print the formula as LaTeX",
@@ -137,6 +162,7 @@ def _typed(request: Request) -> None:
         style=_style,
         besides=_besides,
         typed=_typed,
+        again=Again(compared=_again),
         lacks={"gauge": "the first order is the same in every gauge; `--order` is in the turning-point gauge"},
     ),
     name="envelope",
@@ -232,9 +258,9 @@ def _series(found: Curve, order: int, digits: int) -> EnvelopeSeries:
     if isinstance(found, SpringEnvelope):
         raise InputError("order", "it is not known beside a spring", "one law alone")
     if found.averaging == SQUARING:
-        raise InputError("order", "the squaring trick has no higher orders", "the command without --squaring")
+        raise InputError("order", "the squaring trick has no higher orders", "--squaring left out")
     if not found.oscillator.v0.is_zero:
-        raise InputError("order", "it starts at rest", "the command without --v0; other starts: motion --order N")
+        raise InputError("order", "it starts at rest", "a start at rest; other starts: the motion of that order")
     return found.series(order, digits=digits)
 
 

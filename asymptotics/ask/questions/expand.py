@@ -256,7 +256,7 @@ def expand(
 def _symbolic(given: TermsInUnits, order: int, gauge: str, digits: int) -> SymbolicExpansion:
     if order > MAX_SYMBOLIC_ORDER:
         reason = f"{order}: closed forms in alpha are known through order {MAX_SYMBOLIC_ORDER}"
-        raise InputError("order", reason, f"an integer from 1 to {MAX_SYMBOLIC_ORDER} with --alpha symbolic")
+        raise InputError("order", reason, f"an integer from 1 to {MAX_SYMBOLIC_ORDER} with a symbolic exponent")
     if not given.springs:
         return SymbolicExpansion(symbolic_coefficients(order, gauge, digits))
     spring, *others = given.springs

@@ -130,7 +130,7 @@ def _typed(request: Request) -> None:
     if request["law"] == SYMBOLIC:
         for name in ("csv", "law", "spring", "epsilon"):
             if request.typed(name) is not None:
-                raise InputError(f"--{name}", "cannot be combined with --alpha symbolic", "one law, in closed form")
+                raise InputError(f"--{name}", "cannot be combined with a symbolic exponent", "one law, in closed form")
     if request["delta"] is not None and request.typed("epsilon") is not None:
         raise InputError("--epsilon", "cannot be combined with --delta", "--delta alone: the local strength")
     if request["delta"] is not None and request.typed("plot") is not None:
@@ -221,7 +221,7 @@ def half_swing(
     if given == SYMBOLIC:
         for name, value in (("exact", exact), ("delta", delta)):
             if value:
-                raise InputError(name, "cannot be combined with --alpha symbolic", "one law, in closed form")
+                raise InputError(name, "cannot be combined with a symbolic exponent", "one law, in closed form")
         return cast("HalfSwingCoefficients", SymbolicHalfSwing.through(order))
     if delta is not None and exact:
         raise InputError("exact", "cannot be combined with delta", "delta alone: certified digits")

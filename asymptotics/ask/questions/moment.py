@@ -2,7 +2,7 @@
 
 from typing import Annotated
 
-from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import REAL, SECONDS, digits
 from asymptotics.ask.question import question
 from asymptotics.errors import InputError
@@ -24,6 +24,7 @@ def _latex(found: Coefficient, request: Request) -> str:
 @question(
     Offers(
         latex="print the closed form as LaTeX",
+        again=Again(exact=True),  # a quotient of Gamma functions in balls
         data=lambda found, request: {"p": str(request["p"]), "value": found.value, "exact": found.exact},
         text=lambda found, request: f"M_{request['p']} = {found.value} = {found.exact}",
         as_latex=_latex,

@@ -1,11 +1,10 @@
 """x(t) and v(t) at a chosen order, or exact and high-precision reference motion."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, cast
 
-from asymptotics.api.motion_table import motion_table, reference_is_near
-from asymptotics.api.motions import Motion, Reference
-from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.laws import MOVES_OR_RESTS
 from asymptotics.ask.moving import OVERLAY, TIME, Given, overlaid
@@ -13,6 +12,9 @@ from asymptotics.ask.question import question
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.certificates.of_results import of_states
+from asymptotics.curves.double_errors import of_motion
+from asymptotics.curves.motion_table import motion_table, reference_is_near
+from asymptotics.curves.motions import Motion, Reference
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.expansions.divergence.truncation import BestOrder
 from asymptotics.expansions.equations.build import expand
@@ -24,6 +26,7 @@ from asymptotics.motions.reference import MAX_DIGITS, reference_motion
 from asymptotics.motions.result import MotionPoint, MotionSamples
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
+from asymptotics.present.double_errors import with_errors
 
 DEFAULT_ORDER = 3
 
@@ -72,7 +75,8 @@ def _given(request: Request) -> Given:
 
 def _csv(found: MotionAtTime, request: Request) -> str:
     assert found.curve is not None  # of what rests there is no table: refused before
-    return motion_table(found.curve, request["time"], request.points).to_csv()
+    rows = motion_table(found.curve, request["time"], request.points)
+    return with_errors(rows.to_csv(), of_motion(found.curve, rows))
 
 
 def _rows_done(rows: Any, request: Request) -> tuple[str, int, str] | None:
@@ -80,7 +84,8 @@ def _rows_done(rows: Any, request: Request) -> tuple[str, int, str] | None:
     if not isinstance(rows, MotionSamples):
         return None
     name, unit = ("t", " s") if _given(request).si else ("tau", "")
-    return rows.to_csv(), len(rows.t), f"{name} > {float(rows.t[-1])!r}{unit}"
+    errors = of_motion(Reference(_given(request).oscillator), rows)
+    return with_errors(rows.to_csv(), errors), len(rows.t), f"{name} > {float(rows.t[-1])!r}{unit}"
 
 
 def _drawn(found: MotionAtTime, request: Request) -> list[Any]:
@@ -121,6 +126,12 @@ def _certificate(found: MotionAtTime, request: Request) -> Any:
     return of_states(_given(request).oscillator, [(request["time"], found.point)], digits)
 
 
+def _as_reference(point: Mapping[str, str], digits: int) -> dict[str, str]:
+    """A row of order N is an expansion, of a gauge: x and v are held against the certified motion, the rest is not."""
+    kept = {name: value for name, value in point.items() if name not in ("order", "gauge", "best-order")}
+    return {**kept, "reference": "", "digits": str(digits)}
+
+
 @question(
     Offers(
         picture="waveform, envelope and error curve from 0 to T",
@@ -135,9 +146,13 @@ def _certificate(found: MotionAtTime, request: Request) -> Any:
         drawn=_drawn,
         style=_style,
         typed=_typed,
+        again=Again(at=_as_reference, judged=("x", "v"), route="the certified motion at each row"),
         certificate=_certificate,
         rows_done=_rows_done,
-        lacks={"latex": "the answer is numbers at one time; `expand --latex` has the equations"},
+        lacks={
+            "latex": "the answer is numbers at one time; `expand --latex` has the equations",
+            "force": "driven motion is not served: the oscillator is left to itself after its start",
+        },
     ),
     name="motion",
     swept=True,

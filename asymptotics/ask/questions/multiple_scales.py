@@ -7,7 +7,14 @@ from typing import Annotated, Any
 
 import sympy
 
-from asymptotics.api.hierarchy import (
+from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.forces import GivenTerms
+from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
+from asymptotics.ask.laws import TERMS_IN_UNITS, TermsInUnits, law_options
+from asymptotics.ask.question import question
+from asymptotics.errors import InputError
+from asymptotics.expansions.multiple_scales.by_sympy import Ansatz, ansatz
+from asymptotics.expansions.multiple_scales.hierarchy import (
     MAX_OPEN_ORDER,
     MAX_ORDER,
     any_start,
@@ -16,13 +23,6 @@ from asymptotics.api.hierarchy import (
     ordered,
     symbolic_multiple_scales,
 )
-from asymptotics.ask.answers import Offers, Request
-from asymptotics.ask.forces import GivenTerms
-from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
-from asymptotics.ask.laws import TERMS_IN_UNITS, TermsInUnits, law_options
-from asymptotics.ask.question import question
-from asymptotics.errors import InputError
-from asymptotics.expansions.multiple_scales.by_sympy import Ansatz, ansatz
 from asymptotics.expansions.multiple_scales.orders import Order
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.gauges import GAUGES, TURNING_POINT
@@ -251,11 +251,11 @@ def _waves(given: TermsInUnits, scales: MultipleScales, order: int, phase: Any, 
     if scales.gauge != TURNING_POINT:
         raise InputError("phase", f"the gauge is {scales.gauge}", f"the gauge {TURNING_POINT}")
     if isinstance(given.terms, str):
-        raise InputError("phase", "a symbolic exponent has no numbers", "--alpha A or --law A")
+        raise InputError("phase", "a symbolic exponent has no numbers", "exponents that are numbers")
     if order > MAX_OPEN_ORDER:
         raise InputError("order", f"{order} is out of range", f"an integer from 1 to {MAX_OPEN_ORDER}")
     # NumPy and splines: only values of waveforms need them.
-    Waveforms = import_module("asymptotics.api.waves").Waveforms
+    Waveforms = import_module("asymptotics.curves.waves").Waveforms
     # In the order of the symbols above, so that the indices of x_k are those of the strengths in the text.
     values = Waveforms(tuple(ordered(given.terms.terms, scales)), order).at(phase, digits=digits)
     return {str(k) if isinstance(k, int) else ",".join(str(part) for part in k): value for k, value in values.items()}

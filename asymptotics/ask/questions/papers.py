@@ -9,13 +9,16 @@ from typing import Annotated, Any
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, SECONDS, Kind, choice
 from asymptotics.ask.question import question
-from asymptotics.budget import tick
-from asymptotics.cut_short import keeping
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.policy import Number
-from asymptotics.papers.lookup import SHORTFALLS, VERDICTS, find, has_verdict, statements
+from asymptotics.papers.derived import DerivationRecord
+from asymptotics.papers.documented import Section
+from asymptotics.papers.everything import look_up
+from asymptotics.papers.lookup import SHORTFALLS, VERDICTS, cited, find, has_verdict, identifiers, later, statements
 from asymptotics.papers.lookup import papers as known_papers
 from asymptotics.papers.statement import PaperStatement
+from asymptotics.running.budget import tick
+from asymptotics.running.cut_short import keeping
 
 
 def _words(value: Any, name: str) -> str:
@@ -30,11 +33,13 @@ WHAT = Kind("WHAT", _words, place=True, several=True)
 
 @dataclass(frozen=True)
 class Looked:
-    """The statements that were found, and the checks that have run: id -> outcomes."""
+    """What was found by the words, and the checks that have run: id -> outcomes."""
 
     query: str
     entries: tuple[PaperStatement, ...]
     outcomes: dict[str, Any] | None = None
+    derivations: tuple[DerivationRecord, ...] = ()
+    documentation: tuple[Section, ...] = ()
 
     @property
     def failed(self) -> list[str]:
@@ -43,7 +48,11 @@ class Looked:
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready."""
-        data: dict[str, Any] = {"query": self.query, "entries": [s.to_dict() for s in self.entries]}
+        named = dict.fromkeys(s.paper for s in self.entries)
+        papers = {key: {"reference": known_papers()[key], **identifiers()[key]} for key in named}
+        data: dict[str, Any] = {"query": self.query, "papers": papers, "entries": [s.to_dict() for s in self.entries]}
+        data["derivations"] = [d.to_dict() for d in self.derivations]
+        data["documentation"] = [s.to_dict() for s in self.documentation]
         if self.outcomes is None:
             return data
         part = {name: {key: found[name] for key, found in self.outcomes.items()} for name in ("outcomes", "apart")}
@@ -64,7 +73,12 @@ def _text(found: Looked, request: Request) -> str:
         return found.checked()
     if not found.query and request["verdict"] is None:
         return _summary(found.entries)
-    return _in_full(found.entries[0]) if len(found.entries) == 1 else _listed(found.entries)
+    own = [_in_full(found.entries[0]) if len(found.entries) == 1 else _listed(found.entries)] if found.entries else []
+    proved = [f"  {d.name}  {d.title}" for d in found.derivations[:_MOST]]
+    read = [f"  {section}" for section in found.documentation[:_MOST]]
+    more = [["derivations (asymptotics derive NAME):", *proved]] if proved else []
+    more += [["documentation:", *read]] if read else []
+    return "\n\n".join([*own, *map("\n".join, more)])
 
 
 def _latex(found: Looked, _: Request) -> str:
@@ -80,12 +94,12 @@ def _missing(found: Looked, _: Request) -> tuple[int, str]:
 
 def _summary(chosen: tuple[PaperStatement, ...]) -> str:
     lines = []
-    for key, reference in known_papers().items():
+    for key in known_papers():
         counts = Counter(s.printed for s in chosen if s.paper == key)
         shown = ", ".join(f"{counts[v]} {v}" for v in VERDICTS if counts[v])
         kinds = Counter(s.shortfall for s in chosen if s.paper == key and s.shortfall)
         partly = ", ".join(f"{kinds[said]} {said}" for said in SHORTFALLS.values() if kinds[said])
-        lines += [f"{key}: {reference}", f"  {sum(counts.values())} statements: {shown}", f"  partly: {partly}"]
+        lines += [f"{key}: {cited(key)}", f"  {sum(counts.values())} statements: {shown}", f"  partly: {partly}"]
     return "\n".join(
         [*lines, "", "`asymptotics papers smith2012` lists one paper, `asymptotics papers Lambert` searches."]
     )
@@ -111,6 +125,8 @@ def _in_full(s: PaperStatement) -> str:
         ("partly", s.shortfall),
         ("slip", s.slip),
         (f"line {s.line} of" if s.line else "derivation", s.derivation and f"asymptotics derive {s.derivation}"),
+        ("paper", cited(s.paper)),
+        ("later papers", "; ".join(later(s.id))),
         ("source", s.source),
     ]
     lines = [f"{s.id}: {s.title}"]
@@ -127,6 +143,8 @@ def _told(apart: dict[str, Any]) -> str:
     return f"{left} is not {apart['relation']} {right}" + (f" at {apart['where']}" if apart["where"] else "")
 
 
+_MOST = 6
+"""Derivations and pages that are shown under what was found; ``--json`` has all."""
 _TEXT = "statements are text; `--json` has them all"
 _KINDS = ", ".join(f"{name} {said}" for name, said in SHORTFALLS.items())
 
@@ -182,8 +200,12 @@ def papers(
     """
     text = query if isinstance(query, str) else " ".join(query)
     # The name of a paper lists it; everything else is an id, a number or words, in this order.
-    found = statements(text or None) if not text or text in known_papers() else _found(text)
-    chosen = tuple(s for s in found if has_verdict(s, verdict))
+    if not text or text in known_papers():
+        chosen = tuple(s for s in statements(text or None) if has_verdict(s, verdict))
+        return Looked(text, chosen, _outcomes(text, chosen) if check else None)
+    if verdict is None and not check and (found := look_up(text)) and text.strip() not in {s.id for s in statements()}:
+        return Looked(text, found.statements, None, found.derivations, found.documentation)
+    chosen = tuple(s for s in _found(text) if has_verdict(s, verdict))
     return Looked(text, chosen, _outcomes(text, chosen) if check else None)
 
 

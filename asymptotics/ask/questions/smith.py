@@ -1,13 +1,13 @@
 """Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from importlib import import_module
 from math import log2
 from typing import Annotated, Any
 
-from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.question import question
 from asymptotics.costs import binomial_seconds, require_affordable
@@ -53,11 +53,17 @@ def _typed(request: Request) -> None:
         raise InputError("--csv", f"smith {request['what']} is not a row of coefficients", "--csv with f or c")
 
 
+def _at_more_digits(point: Mapping[str, str], digits: int) -> dict[str, str]:
+    """Exact fractions refuse --digits."""
+    return dict(point) if point.get("") in ("f", "c", "g") else {**point, "digits": str(digits)}
+
+
 @question(
     Offers(
         latex="print it as LaTeX",
         table="the coefficients: n, i, C_i^n",
         own_latex=True,
+        again=Again(at=_at_more_digits, exact=True),  # rational arithmetic, or balls
         data=_data,
         text=lambda found, _: found.text,
         as_latex=lambda found, _: found.latex,
@@ -177,7 +183,7 @@ def _generating_function(given: dict[str, Any]) -> SmithAnswer:
 def _radii(given: dict[str, Any]) -> SmithAnswer:
     """R(w) and rho(w), correctly rounded."""
     w, D = given["w"], given["digits"] or 30
-    R, rho = import_module("asymptotics.api.constants").radii(w, digits=D)  # loads SymPy, as for G
+    R, rho = import_module("asymptotics.motions.invariants.constants").radii(w, digits=D)  # loads SymPy, as for G
     data = {"w": str(w), "R": str(R), "rho": str(rho), "digits": D, "certified": True}
     return SmithAnswer(data, f"R    {R}\nrho  {rho}", rf"R = {R},\quad \rho = {rho}")
 
@@ -185,14 +191,14 @@ def _radii(given: dict[str, Any]) -> SmithAnswer:
 def _first(given: dict[str, Any]) -> SmithAnswer:
     """S at a point, correctly rounded."""
     D = given["digits"] or 30
-    value = str(import_module("asymptotics.api.constants").S(given["u"], given["w"], digits=D))
+    value = str(import_module("asymptotics.motions.invariants.constants").S(given["u"], given["w"], digits=D))
     return _constant("S", {"u": str(given["u"]), "w": str(given["w"])}, value, D)
 
 
 def _second(given: dict[str, Any]) -> SmithAnswer:
     """T at a point, correctly rounded."""
     D, tau = given["digits"] or 30, given["tau"] or 0
-    value = str(import_module("asymptotics.api.constants").T(given["u"], given["w"], tau, digits=D))
+    value = str(import_module("asymptotics.motions.invariants.constants").T(given["u"], given["w"], tau, digits=D))
     return _constant("T", {"u": str(given["u"]), "w": str(given["w"]), "tau": str(tau)}, value, D)
 
 

@@ -5,19 +5,21 @@ from typing import Annotated, Any, cast
 
 import numpy as np
 
-from asymptotics.api.implicit import ImplicitSolution
-from asymptotics.api.shown_solution import SolutionPoint
-from asymptotics.api.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, SECONDS, Option, choice, digits, whole
 from asymptotics.ask.laws import MOVES_OR_FORMULAS
 from asymptotics.ask.moving import OVERLAY, TIME, Given, overlaid, require_stretch
 from asymptotics.ask.question import question
 from asymptotics.bounds.motion import proved_bound
+from asymptotics.curves.double_errors import of_solution
+from asymptotics.curves.implicit import ImplicitSolution
+from asymptotics.curves.shown_solution import SolutionPoint
+from asymptotics.curves.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
 from asymptotics.errors import InputError
 from asymptotics.law import LawLike, Oscillator
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
+from asymptotics.present.double_errors import with_errors
 from asymptotics.present.inputs import csv_text
 
 Found = Solution | ImplicitSolution
@@ -81,7 +83,8 @@ def _csv(found: SolutionAtTime, request: Request) -> str:
     if found.solution.si:
         header = ["t [s]", f"amplitude [{unit}]", "phase [rad]", f"x [{unit}]"]
     t = np.linspace(0.0, float(cast("ExactReal", found.time).ball().mid()), request.points + 1)
-    return csv_text(header, [[repr(float(c)) for c in row] for row in zip(*found.solution.columns(t))])
+    text = csv_text(header, [[repr(float(c)) for c in row] for row in zip(*found.solution.columns(t))])
+    return with_errors(text, of_solution(found.solution, t))
 
 
 def _drawn(found: SolutionAtTime, request: Request) -> list[Any]:

@@ -5,13 +5,13 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
-from asymptotics.api.units import law_of
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import SECONDS, Kind, Option, choice, digits, whole
 from asymptotics.ask.question import question
 from asymptotics.errors import InputError
 from asymptotics.law import Law, LawLike
+from asymptotics.law_given import law_of
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.numbers.rounding import MODES
@@ -75,7 +75,7 @@ def _show(request: Request) -> Callable[[Table], tuple[dict[str, Any], str]]:
 
     def show(table: Table) -> tuple[dict[str, Any], str]:
         validation = table.validate() if request.typed("validate") is not None else None
-        told = "" if validation is None else f"\n{validation}"
+        told = "" if validation is None else f"\n{validation.beside()}\n{validation}"
         more = {} if validation is None else {"validation": validation.to_dict()}
         if target is None:
             return table.to_dict() | more, _printed(table, form) + told
@@ -137,6 +137,7 @@ def _missing(table: Table, _: Request) -> tuple[int, str]:
         failed=lambda table, request: request.typed("validate") is not None and not table.validate().equal,
         instead=_list,
         show=_show,
+        certificate=lambda table, _: table.certificate(),
         missing=_missing,
         lacks={"gauge": "a table says in its title which gauge it is in", "points": "`--rows` says how many"},
     )
@@ -187,7 +188,7 @@ def table(
     InputError
         for a name that no table has, and for what changes nothing in the table
     LimitError
-        with the estimate; the rows that were done are kept (``asymptotics.cut_short.done``)
+        with the estimate; the rows that were done are kept (``asymptotics.running.cut_short.done``)
 
     Examples
     --------

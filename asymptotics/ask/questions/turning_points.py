@@ -8,9 +8,8 @@ from asymptotics.ask.kinds import FLAG, SECONDS, TEXT, digits, whole
 from asymptotics.ask.laws import MOVES
 from asymptotics.ask.moving import Given
 from asymptotics.ask.question import question
-from asymptotics.certificates.of_results import of_turning_points
 from asymptotics.curves.turning_points import (
-    OscillatorTurningPoints,
+    MotionTurningPoints,
     dimensionless,
     turning_points_in_units,
     with_notes,
@@ -20,12 +19,11 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.numbers.policy import Number
 from asymptotics.present.inputs import csv_text
+from asymptotics.running.cut_short import changed
 from asymptotics.turning import table
 from asymptotics.turning.choose import offers
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.table import MAX_COUNT, MAX_DIGITS, MAX_START
-
-Found = TurningPoints | OscillatorTurningPoints
 
 
 @dataclass(frozen=True)
@@ -56,10 +54,10 @@ _ENDS = {
 
 
 def _text(found: Any, request: Request) -> str:
-    if not isinstance(found, TurningPoints):
+    if isinstance(found, Routes) or found.oscillator is not None:
         return str(found)
     unit = cast("Given", request["law"]).x_unit
-    rows = [(str(p.n), p.x) + (() if p.tau is None else (p.tau,)) for p in found.points]
+    rows = [(str(p.n), p.x) + (() if p.time is None else (p.time,)) for p in found.points]
     if _HEADS[unit] and rows:
         rows.insert(0, ("n", _HEADS[unit], "tau")[: len(rows[0])])
     lines = [_columns(rows, str.rjust)] if rows else []
@@ -81,14 +79,14 @@ def _data(found: Any, request: Request) -> dict[str, Any]:
     return data | {"units": "SI" if moving.si else None, "x_unit": moving.x_unit}
 
 
-def _csv(found: Found, request: Request) -> str:
-    if isinstance(found, OscillatorTurningPoints):
-        return csv_text(["n", f"x [{found.unit}]", "t [s]"], [(p.n, p.x, p.t) for p in found.points])
-    head = _HEADS[cast("Given", request["law"]).x_unit] or "x"
-    return csv_text(["n", head, "tau"], [(p.n, p.x, p.tau) for p in found.points])
+def _csv(found: TurningPoints, request: Request) -> str:
+    head, rows = found.columns()
+    if found.oscillator is None:
+        head[1] = _HEADS[cast("Given", request["law"]).x_unit] or "x"
+    return csv_text(head, rows)
 
 
-def _missing(found: Found, request: Request) -> tuple[int, str]:
+def _missing(found: TurningPoints, request: Request) -> tuple[int, str]:
     first, last = found.points[-1].n + 1, request["start"] + request["count"] - 1
     return len(found.points), f"n = {first} ... {last}"
 
@@ -96,8 +94,7 @@ def _missing(found: Found, request: Request) -> tuple[int, str]:
 def _certificate(found: Any, request: Request) -> Any:
     if isinstance(found, Routes):
         raise InputError("--certificate", "a list of routes has no digits", "a certificate of turning points")
-    moving = cast("Given", request["law"])
-    return of_turning_points(moving.oscillator, found)
+    return found.certificate()
 
 
 @question(
@@ -127,7 +124,7 @@ def turning_points(
     times: Annotated[bool, FLAG] = False,
     route: Annotated[str | None, TEXT] = None,
     max_seconds: Annotated[Number, SECONDS] = 60,
-) -> Found:
+) -> MotionTurningPoints:
     """Turning points x_n (with their sign) and their times, for any alpha >= 0, and sums of laws.
 
       asymptotics turning-points --alpha 2 --epsilon 1 --count 6 --digits 60 --times
@@ -173,7 +170,7 @@ def turning_points(
     InputError
         for anti-damping, values out of range and a route that does not serve
     LimitError
-        with the estimate; ``asymptotics.cut_short.done(error)`` hands over the points that were done
+        with the estimate; ``asymptotics.running.cut_short.done(error)`` hands over the points that were done
     UndecidedError
         where balls cannot tell how it goes on
 
@@ -187,7 +184,7 @@ def turning_points(
     """
     moving = cast("Given", law)
     if route == "help":
-        return cast("Found", _routes(moving, count, digits, start, times))
+        return cast("MotionTurningPoints", _routes(moving, count, digits, start, times))
     try:
         return _points(moving, count, digits=digits, start=start, times=times, route=route)
     except LimitError as error:
@@ -196,16 +193,22 @@ def turning_points(
         raise
 
 
-def _points(moving: Given, count: int, **rest: Any) -> Found:
+def _points(moving: Given, count: int, **rest: Any) -> MotionTurningPoints:
     oscillator = moving.oscillator
-    if moving.si:
-        return turning_points_in_units(oscillator, count, **rest)
-    # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths epsilon_i x0^(alpha_i-1),
-    # and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
-    if oscillator.law.is_pure and oscillator.v0.is_zero and oscillator.x0 != 1:
-        return without_units(oscillator, count, **rest)
-    law, kick = _bare(oscillator)
-    return with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick)
+
+    def of_motion(found: TurningPoints) -> MotionTurningPoints:
+        return MotionTurningPoints.of(oscillator, found)
+
+    with changed(of_motion):
+        if moving.si:
+            return of_motion(turning_points_in_units(oscillator, count, **rest))
+        # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths
+        # epsilon_i x0^(alpha_i-1), and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
+        if oscillator.law.is_pure and oscillator.v0.is_zero and oscillator.x0 != 1:
+            return of_motion(without_units(oscillator, count, **rest))
+        law, kick = _bare(oscillator)
+        found = with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick)
+        return of_motion(found)
 
 
 def _bare(oscillator: Oscillator) -> tuple[Law, dict[str, Any]]:

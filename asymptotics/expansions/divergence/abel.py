@@ -30,13 +30,13 @@ from dataclasses import dataclass
 
 from flint import acb, arb, arb_poly
 
-from asymptotics.budget import tick
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.divergence.germ import Germ
 from asymptotics.expansions.divergence.half_step import half_step
 from asymptotics.expansions.divergence.petal import BITS, Petal
 from asymptotics.expansions.half_swings.odd_abel import odd_solution
 from asymptotics.numbers.context import ctx
+from asymptotics.running.budget import tick
 
 # A limit of time: an orbit that is not in the petal by then is undecided.
 _MAX_STEPS = 20_000

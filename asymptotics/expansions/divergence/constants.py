@@ -25,7 +25,6 @@ from math import ceil, log, log2, log10, pi
 
 from flint import arb, arb_mat
 
-from asymptotics.budget import require_seconds, tick
 from asymptotics.costs import node_seconds
 from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.expansions.divergence.abel import at_height, odd_series
@@ -33,6 +32,7 @@ from asymptotics.expansions.divergence.germ import Germ, germ, majorants
 from asymptotics.expansions.divergence.petal import Petal, petal
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.running.budget import require_seconds, tick
 
 ROUGH_ORDER, ROUGH_BITS = 24, 100
 """Of the first germ, from which the petal is taken."""

@@ -23,7 +23,7 @@ from asymptotics.expansions.normal_form.results import Coefficients
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.law import LawLike, SpringLike
 from asymptotics.numbers.policy import Number, exact_integer, exact_seconds
-from asymptotics.public import public
+from asymptotics.running.public import public
 from asymptotics.terms import Term
 
 # Refused by size before anything is estimated; what lies below may still be refused by its estimate.

@@ -38,7 +38,7 @@ from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.numbers.value import Coefficient, coefficient_columns
 from asymptotics.present.shown import Page, Rows
-from asymptotics.public import public
+from asymptotics.running.public import public
 from asymptotics.terms import Term
 
 A_SYMBOL, TAU, T = sympy.Symbol("A", positive=True), sympy.Symbol("tau", real=True), sympy.Symbol("t", real=True)

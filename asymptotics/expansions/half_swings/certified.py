@@ -35,7 +35,6 @@ from math import comb, log2
 
 from flint import arb
 
-from asymptotics.budget import require_seconds
 from asymptotics.costs import node_seconds, require_affordable, series_seconds
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.certified_moments import Orders, duration_orders, moment_bounds, moment_orders
@@ -52,6 +51,7 @@ from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.quarter import QuarterSwing
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.running.budget import require_seconds
 from asymptotics.series import Series
 
 # Bounds are wanted to a digit or two; they are balls, so that 64 bits cannot make them too small.

@@ -56,8 +56,8 @@ from typing import Any
 
 from flint import arb, arb_poly
 
-from asymptotics.budget import tick
 from asymptotics.expansions.half_swings.forces import Forces, Member
+from asymptotics.running.budget import tick
 from asymptotics.series import Key, monomials
 
 

@@ -19,8 +19,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from asymptotics.budget import tick
 from asymptotics.expansions.half_swings.grading import Grading
+from asymptotics.running.budget import tick
 from asymptotics.series import Key, Series, accumulate, is_exact_zero
 
 Part = dict[Key, Any]

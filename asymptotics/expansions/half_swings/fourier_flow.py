@@ -39,13 +39,13 @@ from dataclasses import dataclass
 
 from flint import fmpq, fmpq_poly
 
-from asymptotics.budget import tick
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
 from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
 from asymptotics.graded import WholePowers, monomial_part
+from asymptotics.running.budget import tick
 from asymptotics.series import Key, Series, accumulate, is_exact_zero
 from asymptotics.terms import Term as Term  # for the examples
 

@@ -35,10 +35,10 @@ from operator import mul
 
 from flint import arb, arb_series
 
-from asymptotics.budget import tick
 from asymptotics.expansions.half_swings.node_transform import NodeTransform
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.running.budget import tick
 
 # GUARD for the rounding of the recursion; fewer than SPARE lost bits are not worth a second pass. All of it is in the
 # radii: none of the three can make a ball wrong.

@@ -13,8 +13,8 @@ from collections.abc import Sequence
 
 from flint import arb, arb_series
 
-from asymptotics.budget import tick
 from asymptotics.numbers.context import ctx
+from asymptotics.running.budget import tick
 
 
 def odd_solution(F: Sequence[arb], rise: Sequence[arb], terms: int) -> tuple[list[arb], list[arb]]:

@@ -18,9 +18,9 @@ from typing import Any
 
 from flint import fmpq, fmpq_poly, fmpq_series
 
-from asymptotics.budget import tick
 from asymptotics.expansions.half_swings.pi_ring import PI, PiNumber
 from asymptotics.numbers.context import ctx
+from asymptotics.running.budget import tick
 
 
 def even_quarter(alpha: int, order: int) -> tuple[list[fmpq], list[PiNumber]]:

@@ -42,13 +42,13 @@ from dataclasses import dataclass
 
 from flint import fmpq, fmpq_poly
 
-from asymptotics.budget import tick
 from asymptotics.costs import hierarchy_seconds, require_affordable
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.forces import Forces, Given, Member
 from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.graded import WholePowers, monomial_part, summed
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.running.budget import tick
 from asymptotics.series import Key, Series, accumulate, monomials
 from asymptotics.terms import Term
 

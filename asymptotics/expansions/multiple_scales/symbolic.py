@@ -54,7 +54,7 @@ from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.exact import require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.present.shown import Page, Shown
-from asymptotics.public import public
+from asymptotics.running.public import public
 from asymptotics.series import Key, Series, monomials
 from asymptotics.terms import Term
 

@@ -35,7 +35,6 @@ from dataclasses import dataclass
 
 from flint import fmpq
 
-from asymptotics.budget import tick
 from asymptotics.costs import require_affordable, turning_hierarchy_seconds
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.forces import Forces, Given
@@ -45,6 +44,7 @@ from asymptotics.expansions.multiple_scales.ring import COSINE, ONE, PSI, SINE, 
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.graded import WholePowers, monomial_part, summed
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.running.budget import tick
 from asymptotics.series import Key, Series, accumulate, monomials
 
 Part = dict[Key, Wave]

@@ -21,7 +21,6 @@ from typing import Any
 
 import sympy
 
-from asymptotics.budget import budget, seconds_left
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.exact import exact_half_swing
@@ -45,6 +44,7 @@ from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.decimals import MAX_DIGITS
 from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.running.budget import budget, seconds_left
 from asymptotics.series import Key, Series, monomials
 from asymptotics.terms import Term
 

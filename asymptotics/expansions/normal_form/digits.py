@@ -21,7 +21,6 @@ from collections.abc import Callable, Mapping, Sequence
 
 from flint import arb
 
-from asymptotics.budget import tick
 from asymptotics.expansions.half_swings.certified import MAX_SECONDS
 from asymptotics.expansions.half_swings.certified_zeros import (
     certified_half_swing,
@@ -35,6 +34,7 @@ from asymptotics.expansions.half_swings.quarter import HalfSwing
 from asymptotics.expansions.normal_form.flow import flow_of
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
+from asymptotics.running.budget import tick
 from asymptotics.series import Key, Series, monomials
 
 MAX_RAISE = 6

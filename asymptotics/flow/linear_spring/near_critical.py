@@ -23,11 +23,11 @@ from math import ceil, exp, expm1, inf, log, log1p, pi, sqrt
 
 from flint import arb
 
-from asymptotics.budget import require_seconds
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear import is_linear
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
+from asymptotics.running.budget import require_seconds
 
 # 2.5 times pi: shorter half-swings lose at most 12 bits.
 _LONG = 8.0  # times below it need no care

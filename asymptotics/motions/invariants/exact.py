@@ -25,8 +25,8 @@ from math import prod
 
 from flint import fmpz_poly
 
-from asymptotics.budget import tick
 from asymptotics.numbers.exact import require_integer
+from asymptotics.running.budget import tick
 
 Row = dict[int, Fraction]
 MAX_ROW, MAX_N = 10_000, 1_000_000

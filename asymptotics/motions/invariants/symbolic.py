@@ -32,7 +32,7 @@ from asymptotics.numbers.context import inside
 from asymptotics.numbers.exact import require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.present.shown import Page, Shown
-from asymptotics.public import public
+from asymptotics.running.public import public
 
 Z, THETA = sympy.Symbol("z"), sympy.Symbol("theta")
 MAX_I = 1000

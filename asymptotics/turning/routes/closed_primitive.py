@@ -14,7 +14,6 @@ from collections.abc import Iterator
 
 from flint import arb
 
-from asymptotics.budget import require_seconds
 from asymptotics.costs import primitive_seconds
 from asymptotics.errors import InputError
 from asymptotics.flow.wells.rational_stops import rational_stops
@@ -23,6 +22,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
+from asymptotics.running.budget import require_seconds
 from asymptotics.turning.energy_primitive import PrimitiveWell, primitive_serves, swings
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route

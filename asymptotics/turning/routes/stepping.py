@@ -17,7 +17,6 @@ they part at a rate that is bounded (``flow.wells``).
 {'amplitude': '0.933516582123', 'tau': '1.53303122970'}
 """
 
-from asymptotics.budget import require_seconds
 from asymptotics.costs import half_swing_seconds, interpolation_seconds, stiff_seconds
 from asymptotics.errors import InputError, LimitError
 from asymptotics.flow.linear_spring.linear import ROUTE as CLOSED
@@ -34,6 +33,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.return_map.half_swing_map import INTEGRATED
 from asymptotics.return_map.panels import panels_of
+from asymptotics.running.budget import require_seconds
 from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route

@@ -6,9 +6,9 @@ from math import exp, pi, sqrt
 import pytest
 
 import asymptotics as asy
-from asymptotics.cli.main import main
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.expansions.divergence import truncation
+from asymptotics.shell.main import main
 
 
 @pytest.mark.parametrize(

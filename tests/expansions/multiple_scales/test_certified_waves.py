@@ -6,7 +6,6 @@ import sympy
 from flint import arb
 
 import asymptotics as asy
-from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.multiple_scales.certified_waves import start_series, wave_source, waves_at
@@ -15,6 +14,7 @@ from asymptotics.expansions.multiple_scales.orders import psi
 from asymptotics.expansions.multiple_scales.start import start_of
 from asymptotics.expansions.multiple_scales.turning import turning_hierarchy
 from asymptotics.numbers.context import ctx
+from asymptotics.shell.main import main
 from asymptotics.terms import Term
 
 PHASES = ["1/3", "7/5", "2", "3"]

@@ -5,12 +5,12 @@ import pytest
 import sympy
 
 import asymptotics as asy
-from asymptotics.api.hierarchy import any_start, multiple_scales
-from asymptotics.cli.main import main
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.symbolic import alpha
+from asymptotics.expansions.multiple_scales.hierarchy import any_start, multiple_scales
 from asymptotics.expansions.multiple_scales.open_orders import open_scales
 from asymptotics.expansions.multiple_scales.open_start import theta
+from asymptotics.shell.main import main
 
 r, epsilon = sympy.Symbol("r", positive=True), sympy.Symbol("epsilon", positive=True)
 

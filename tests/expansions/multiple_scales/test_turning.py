@@ -8,11 +8,11 @@ from sympy import Integer, Rational, cos, diff, lambdify, sin, symbols
 from sympy.core.function import AppliedUndef
 
 import asymptotics as asy
-from asymptotics.api.hierarchy import any_start, map_of_gauges
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.half_swings.pi_ring import PI, PiNumber
 from asymptotics.expansions.half_swings.symbolic import alpha
 from asymptotics.expansions.multiple_scales.exact import odd_hierarchy
+from asymptotics.expansions.multiple_scales.hierarchy import any_start, map_of_gauges
 from asymptotics.expansions.multiple_scales.open_orders import first_wave, psi, second_wave
 from asymptotics.expansions.multiple_scales.orders import a, epsilon
 from asymptotics.expansions.multiple_scales.turning import turning_hierarchy

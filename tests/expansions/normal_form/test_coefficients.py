@@ -6,7 +6,6 @@ from flint import ctx
 from sympy import Float
 
 import asymptotics as asy
-from asymptotics.budget import budget
 from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.half_swings.forces import Forces
 from asymptotics.expansions.half_swings.symbolic import alpha as symbolic_alpha
@@ -23,6 +22,7 @@ from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.decimals import decimal_of_ball
 from asymptotics.numbers.exact import parse_real
+from asymptotics.running.budget import budget
 from asymptotics.terms import Term
 
 GAUGES = (TURNING_POINT, AVERAGING, NO_FIRST_HARMONIC)

@@ -5,7 +5,6 @@ from math import inf, log, log2
 
 import pytest
 
-from asymptotics.budget import budget
 from asymptotics.errors import LimitError
 from asymptotics.flow.linear_spring.near_critical import (
     creeping,
@@ -18,6 +17,7 @@ from asymptotics.flow.linear_spring.near_critical import (
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions import reference
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.running.budget import budget
 from asymptotics.turning.choose import turning_points
 
 NEAR = Law({1: "1.95", 2: "1/10"})

@@ -1,0 +1,1 @@
+"""Measured decays: their files, what they are compared with, and the law behind them."""

@@ -1,0 +1,267 @@
+"""From a table (A, zeta), (A, Q) or (A, decrement) with resolutions to laws with intervals.  A linear inverse problem:
+least squares with strengths >= 0 and profile intervals (``identification.inverse_damping``).
+
+>>> A = ["0.1", "0.2", "0.4", "0.8"]
+>>> zeta = [0.0120, 0.0141, 0.0178, 0.0261]
+>>> found = law_of_table({"A": A, "zeta": zeta}, resolution=exact_number("0.0002", "resolution"))
+>>> print(found.verdict)
+viscous drag and drag in v^2: consistent; epsilon_1 = ...; the table cannot tell dry friction below ... from none
+>>> found.law("2").grade
+'refuted'
+"""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from math import inf, nan
+from typing import Any
+
+import numpy as np
+
+from asymptotics.decays.identification.between_amplitudes import pairs
+from asymptotics.decays.identification.found_law import DampingLaw
+from asymptotics.decays.identification.inverse_damping import QUANTITIES, DampingCandidate, Problem, fitted, weighted
+from asymptotics.decays.records.sources import How, Source, opened
+from asymptotics.decays.records.units import ANGLES, UNITS, seconds, suffix
+from asymptotics.equivalent.rows import OF_MOTION, row_at
+from asymptotics.errors import InputError, LimitError, UndecidedError
+from asymptotics.law import Oscillator, SpringLike
+from asymptotics.numbers.arrays import real_array
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import exact_number
+from asymptotics.terms import terms_of
+
+# The exponents that have names (dry friction, viscous, air, cubic) and the sums of them that are met in practice; a law
+# that is not among them is asked for by ``laws``.
+DEFAULT = ("0", "1", "2", "3", "0+1", "1+2", "0+2", "1+3", "0+1+2")
+# They bound the work: a profile is many least squares over all rows, for every strength of every candidate.
+MAX_POINTS, MAX_TERMS = 1000, 4
+_PERCENT = ("%", "percent", "per cent", "pct", "prozent")
+NAMES = {
+    "amplitude": ("a", "amplitude"),
+    "zeta": ("zeta", "damping ratio", "damping_ratio"),
+    "Q": ("q", "quality factor", "quality_factor"),
+    "decrement": ("decrement", "lambda", "log decrement", "log_decrement"),
+    "resolution": ("resolution", "sigma", "s", "uncertainty", "error"),
+    "n": ("n",),
+    "cycles": ("cycle", "cycles", "period", "periods", "count"),
+    "t": ("t", "time", "tau"),
+}
+CLOCKS = ("n", "cycles", "t")
+"""Half-swings, periods, or the time: what amplitudes alone stand beside."""
+
+
+def law_of_table(
+    table: Any,
+    *,
+    resolution: ExactReal | None = None,
+    laws: str | Sequence[str] | None = None,
+    spring: SpringLike | None = None,
+    mass: ExactReal | None = None,
+    stiffness: ExactReal | None = None,
+) -> DampingLaw:
+    """The candidates with grades and intervals, of a file, a data frame or a mapping of columns.
+
+    InputError by name for what cannot be used.
+    """
+    if (mass is None) != (stiffness is None):
+        raise InputError("mass" if mass is None else "stiffness", "is missing", "both, or neither")
+    columns, quantity, notes = _read(table)
+    known = columns.get("resolution")
+    if resolution is not None:
+        if known is not None:
+            raise InputError("resolution", "the table has a column of that name", "one of the two")
+        known = np.full(len(columns["amplitude"]), float(resolution.ball().mid()))
+    spread = None if known is None else _positive(known, "resolution")
+    given = _positive(columns["amplitude"], "A")
+    ends, between = (float(given.min()), float(given.max())), quantity in CLOCKS
+    used = {"A": given.tolist(), quantity: columns[quantity].tolist()}
+    used |= {} if spread is None else {"resolution": spread.tolist()}
+    if between:
+        if spring is not None:
+            raise InputError(
+                "spring", "amplitudes at times are read with a linear one", "a table of zeta, Q, decrement"
+            )
+        places, values, spread, said = _losses(columns, quantity, spread, mass, stiffness)
+        quantity, notes = "decrement", (*notes, *said)
+    else:
+        places, values = given, _positive(columns[quantity], quantity)
+        if quantity == "zeta" and not float(values.min()) < 1:
+            reason = f"the smallest is {values.min():g}: from 1 on nothing swings"
+            raise InputError("zeta", reason, "a ratio below 1, or per cent in a column zeta [%]")
+    # One row more than strengths, or chi^2 has no degree of freedom and every candidate fits; two amplitudes alone give
+    # the strength of each law of one term, and test none.
+    candidates, skipped = _candidates(laws, len(values) if between and len(values) == 1 else len(values) - 1)
+    # m = k = 1 without them: b is epsilon then, in the unit of the amplitudes.
+    problem = Problem(quantity, candidates, mass or 1, stiffness or 1, spring, between)
+    table_of = places.tolist(), values.tolist(), None if spread is None else spread.tolist()
+    found, (zeta, s) = fitted(*table_of, problem), weighted(*table_of, problem)
+    if len(values) == 1:
+        notes += ("one loss and one strength: each law of one term has its own, and none is tested",)
+    if spread is None and len(values) == 1:
+        notes += ("no resolution: no intervals",)
+        found = tuple(replace(c, strengths=tuple(replace(e, low=nan, high=nan) for e in c.strengths)) for c in found)
+    elif spread is None:
+        notes += ("no resolutions: taken equal, as large as the best candidate needs, so none is refuted by chance",)
+    off = _neglected(problem, found[0], ends)
+    relative = inf if spread is None and len(values) == 1 else float(np.median(s / zeta))
+    return DampingLaw(problem, found, len(given), ends, off, relative, mass is not None, (*notes, *skipped), used)
+
+
+def _losses(
+    columns: dict[str, Any], clock: str, spread: Any, mass: ExactReal | None, stiffness: ExactReal | None
+) -> tuple[Any, Any, Any, tuple[str, ...]]:
+    """Pairs of neighbouring amplitudes with the decrement of a cycle between them, its error, and what is told."""
+    size, count = columns["amplitude"], columns[clock]
+    omega = 1.0 if mass is None or stiffness is None else float((stiffness / mass).ball().mid()) ** 0.5
+    of_one = {"n": 0.5, "cycles": 1.0, "t": omega / (2 * np.pi)}[clock]
+    both, values = pairs(size, of_one * count)
+    named = {"n": "n counts half-swings", "cycles": "periods are counted", "t": "t in s"}[clock]
+    if clock == "t" and mass is None:
+        named = "t is omega_0 t, for want of a mass and a stiffness"
+    if spread is None:
+        return both, values, None, (named,)
+    # The errors of both amplitudes; that neighbours share one is neglected.
+    error = np.hypot(spread[:-1] / size[:-1], spread[1:] / size[1:]) / (of_one * np.diff(count))
+    return both, values, error, (named,)
+
+
+def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
+    """The columns by what they are, and which quantity there is."""
+    if isinstance(table, Mapping):
+        named = {str(name): table[name] for name in table}
+        places = {what: name for name in named if (what := _what(name)) is not None}
+        columns = {what: real_array(list(named[name]), name) for what, name in places.items()}
+        names, left = list(named), [name for name in named if _what(name) is None]
+    else:
+        source = _opened(table)
+        at = {what: i for i, name in enumerate(source.names) if (what := _what(name)) is not None}
+        body = source.read(sorted(at.values()))
+        if body.unread.first is not None:
+            row, _, cell = body.unread.first
+            raise InputError("table", f"{source.name}, row {row + 1}: {cell[:30]!r} is not a number", "numbers")
+        names, left = list(source.names), [n for n in source.names if _what(n) is None]
+        columns = {what: body.columns[i] for what, i in at.items()}
+    quantities = [q for q in QUANTITIES if q in columns]
+    # Without any of them the amplitudes themselves tell the loss, by their numbers or times.
+    clocks = [c for c in CLOCKS if c in columns]
+    quantities = quantities or clocks[:1]
+    unused = [c for c in clocks if c != quantities[0]] if quantities else []
+    if "amplitude" not in columns or len(quantities) != 1:
+        reason = "no column A" if "amplitude" not in columns else f"{len(quantities)} of the columns zeta, Q, decrement"
+        raise InputError(
+            "table",
+            f"it has {reason}",
+            "columns A and one of zeta, Q, decrement (or n, cycles, t of the amplitudes), perhaps resolution",
+        )
+    if len({len(c) for c in columns.values()}) != 1:
+        raise InputError("table", "its columns differ in length", "columns of one length")
+    columns = {what: values for what, values in columns.items() if what not in unused}
+    left += [name for name in names if _what(name) in unused]
+    notes = [f"not used: {', '.join(left)}"] if left else []
+    notes += _in_plain_numbers(columns, names)
+    name = next(name for name in names if _what(name) == "amplitude")
+    unit = suffix(name)
+    if unit and unit not in UNITS:
+        raise InputError("table", f"the unit {unit[:20]!r} of {name[:40]!r} is not known", ", ".join(UNITS))
+    if UNITS.get(unit, 1.0) != 1.0:
+        columns["amplitude"] = columns["amplitude"] * UNITS[unit]
+        notes.append(f"amplitudes in {unit} taken as {'rad' if unit in ANGLES else 'm'}")
+    return columns, quantities[0], tuple(notes)
+
+
+def _in_plain_numbers(columns: dict[str, Any], names: Sequence[str]) -> list[str]:
+    """Per cent and milliseconds made plain, as the names of the columns say; what was done."""
+    told = []
+    for name in names:
+        what, unit = _what(name), suffix(name) or name.rpartition("_")[2]
+        if what in ("zeta", "decrement", "resolution") and what in columns and unit.lower() in _PERCENT:
+            columns[what] = columns[what] / 100
+            told.append(f"{name}: per cent")
+        if what == "t" and what in columns:
+            columns[what] = columns[what] * seconds(name, "the table")
+    return told
+
+
+def _opened(table: Any) -> Source:
+    """The file, named in a refusal by the parameter that gave it."""
+    try:
+        return opened(table, How())
+    except InputError as error:
+        # The reader of files calls its argument FILE; here the caller has written table=.
+        if not error.argument.startswith("FILE"):
+            raise
+        raise type(error)("table", error.reason, error.accepted) from error
+
+
+def _what(name: str) -> str | None:
+    # The name without its unit, written as A [deg], A (mm), A / mm or A_deg.
+    plain = re.sub(r"\s*[\[(].*|\s+/\s.*", "", name.strip())
+    unit = re.fullmatch(r"(.*)_([^_]+)", plain)
+    known = unit and (suffix(plain) or unit[2].lower() in _PERCENT)
+    plain = (unit[1] if unit and known else plain).lower()
+    return next((what for what, words in NAMES.items() if plain in words), None)
+
+
+def _positive(values: Any, name: str) -> Any:
+    if values.ndim != 1 or len(values) > MAX_POINTS:
+        raise LimitError(name, f"its shape is {values.shape}", f"one column of at most {MAX_POINTS} rows")
+    # NaN fails both comparisons.  The range keeps squares and quotients of the columns within doubles.
+    bad = np.flatnonzero(~((values > 1e-100) & (values < 1e100)))
+    if len(bad):
+        raise InputError(name, f"{values[bad[0]]:g} in row {bad[0] + 1} is not positive", "numbers > 0")
+    return values
+
+
+def _candidates(laws: Any, most: int) -> tuple[tuple[tuple[str, ...], ...], tuple[str, ...]]:
+    """Exponents as text, and what is skipped: laws of more than ``most`` strengths, and a free exponent.
+
+    InputError for what is no exponent, twice the same or too many, and where nothing is left.
+    """
+    given = DEFAULT if laws is None else (laws,) if isinstance(laws, str) else laws
+    if not isinstance(given, list | tuple) or not given:
+        raise InputError("laws", "there is none", 'texts such as ["1", "1+2"]')
+    made, left = [], []
+    for law in given:
+        if law == "free":
+            left.append("free (the exponents of a table are given: try some)")
+            continue
+        alphas = [exact_number(part, "laws") for part in (terms_of(law, "laws") if isinstance(law, str) else [law])]
+        if len(alphas) > MAX_TERMS or len({str(a) for a in alphas}) < len(alphas) or any(a < 0 for a in alphas):
+            raise InputError(
+                "laws", f"{str(law)[:40]!r} is no candidate", f"up to {MAX_TERMS} different exponents >= 0"
+            )
+        if len(alphas) > most:
+            left.append(f"{'+'.join(map(str, alphas))} ({len(alphas)} strengths)")
+        else:
+            made.append(tuple(str(a) for a in alphas))
+    skipped = f"skipped: {', '.join(dict.fromkeys(left))}"
+    if not made:
+        raise InputError("table", f"too few rows: {skipped}", "a row more than strengths, and given exponents")
+    return tuple(dict.fromkeys(made)), (skipped,) if left else ()
+
+
+def _neglected(problem: Problem, best: DampingCandidate, ends: tuple[float, float]) -> float | None:
+    """The largest relative difference of the motion from the first order at both ends, for the best law."""
+    # A strength that the fit has put to 0 acts nowhere; without any there is no motion to compare with.
+    strengths = {exact_number(s.alpha, "laws"): s.estimate for s in best.strengths if s.estimate > 0}
+    if not strengths:
+        return None
+    law = Oscillator(strengths, mass=problem.mass, stiffness=problem.stiffness, spring=problem.spring)
+    off = []
+    for a in ends:
+        try:
+            # Six digits of the certified motion over one full swing: the difference is shown as a percentage.  A swing
+            # that balls cannot decide, or that does not come back (dry friction holds it), says nothing, hence None.
+            row = row_at(law, exact_number(a, "A"), 6, None)
+        except UndecidedError:
+            return None
+        # The largest local strength, and with it what the first order leaves out, is at one of the ends: a sum of
+        # powers of A is convex in ln A.
+        first = getattr(row.first, problem.quantity)
+        name = OF_MOTION.get(problem.quantity, problem.quantity)
+        motion = None if row.motion is None else getattr(row.motion, name)
+        if motion is None:
+            return None
+        off.append(abs(float(motion) / float(first) - 1))
+    return max(off)

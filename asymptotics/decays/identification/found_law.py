@@ -1,0 +1,132 @@
+"""The law behind a table of equivalent damping, as a result: the verdict in words first, then strengths with intervals.
+
+Estimates in doubles (``inverse_damping``); what the first order neglects is measured against certified motion and told.
+"""
+
+from dataclasses import dataclass, field
+from math import isnan
+from typing import Any
+
+from asymptotics.decays.identification.forward.candidates import loss_in_words
+from asymptotics.decays.identification.inverse_damping import DampingCandidate, Problem, Strength
+from asymptotics.decays.identification.judging.grades import off
+from asymptotics.errors import require_choice
+from asymptotics.present.shown import Page, Rows
+
+# So many rivals are named; the table below has all of them.
+_SHOWN = 4
+
+
+@dataclass(frozen=True, repr=False)
+class DampingLaw(Rows):
+    """``laws``: the candidates, best first; ``neglected``: what the first order lacks of the motion, relative, at most.
+
+    ``resolution``: of the values, relative, the median; ``si``: whether strengths are b in SI, else epsilon.
+    ``verdict`` says in words what the table tells and what not.  ``table``: the columns that were used, in m or rad.
+    """
+
+    problem: Problem
+    laws: tuple[DampingCandidate, ...]
+    points: int
+    amplitudes: tuple[float, float]
+    neglected: float | None
+    resolution: float
+    si: bool
+    notes: tuple[str, ...] = field(default=(), compare=False)
+    table: dict[str, list[float]] = field(default_factory=dict, compare=False)
+
+    @property
+    def best(self) -> DampingCandidate:
+        """The first of the candidates."""
+        return self.laws[0]
+
+    def law(self, name: str) -> DampingCandidate:
+        """A candidate by its name such as ``1+2``; InputError if it is not there."""
+        named = {c.name: c for c in self.laws}
+        return named[require_choice(name, "name", named)]
+
+    @property
+    def verdict(self) -> str:
+        """The law, how good it is, its strengths, and what the table cannot tell."""
+        best = self.best
+        head = f"{_words(best)}: {best.told()}"
+        if best.grade == "refuted":
+            head = f"no candidate fits; nearest is {_words(best)}, whose damping is {off(best.left)} (root mean square)"
+        parts = [head, ", ".join(self._shown(s) for s in best.strengths)]
+        # Of its own grade, and not merely the same law with a term too many.
+        others = [c.name for c in self.laws[1:] if c.grade == best.grade and not c.unneeded]
+        unsaid = [] if not others or best.grade == "refuted" else [f"it from {' or '.join(others[:_SHOWN])}"]
+        wider = [c for c in self.laws if c.unneeded and best.name != c.name and c.grade == "consistent"]
+        for c in wider[:1]:
+            extra = [s for s in c.strengths if s.alpha in c.unneeded]
+            limits = " and ".join(f"{loss_in_words(s.alpha)} below {s.high:.3g}{self._unit(s)}" for s in extra)
+            unsaid.append(f"{limits} from none")
+        return "; ".join([*parts, *([f"the table cannot tell {', nor '.join(unsaid)}"] if unsaid else [])])
+
+    def _unit(self, s: Strength) -> str:
+        return {"0": " N", "1": " N s/m"}.get(s.alpha, f" N (s/m)^{s.alpha}") if self.si else ""
+
+    def _shown(self, s: Strength) -> str:
+        letter = "b" if self.si else "epsilon"
+        ends = "" if isnan(s.low) else f" [{s.low:.4g}, {s.high:.4g}]"
+        return f"{letter}_{s.alpha} = {s.estimate:.4g}{ends}{self._unit(s)}"
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: numbers are strings."""
+        laws = [
+            {
+                "law": c.name, "grade": c.grade, "told": c.told(), "left": f"{c.left:.4g}", "p_value": f"{c.p:.4g}",
+                "chi_squared": f"{c.chi_squared:.6g}", "criterion": f"{c.criterion:.6g}", "unneeded": list(c.unneeded),
+                "strengths": [
+                    {"alpha": s.alpha, "low": _end(s.low), "estimate": repr(s.estimate), "high": _end(s.high)}
+                    for s in c.strengths
+                ],
+            }
+            for c in self.laws
+        ]  # fmt: skip
+        low, high = self.amplitudes
+        return {
+            "verdict": self.verdict, "quantity": self.problem.quantity, "points": self.points,
+            "amplitudes": [repr(low), repr(high)], "laws": laws, "si": self.si, "certified": False,
+            "neglected": None if self.neglected is None else f"{self.neglected:.2g}", "notes": list(self.notes),
+        }  # fmt: skip
+
+    def __str__(self) -> str:
+        lines = [
+            f"{c.name:8} {c.told():32} {', '.join(self._shown(s) for s in c.strengths)}".rstrip() for c in self.laws
+        ]
+        return "\n".join([self.verdict, *lines, *self._worth()])
+
+    def _worth(self) -> list[str]:
+        told = "intervals: profiles, 95 %; estimates in doubles of the first-order law"
+        if self.neglected is not None:
+            told += f"; the motion differs from it by at most {100 * self.neglected:.2g} % at these amplitudes"
+            if self.neglected > self.resolution:
+                told += (
+                    f", more than the resolution ({100 * self.resolution:.2g} %): the strengths are off by about that"
+                )
+        return [told, *self.notes]
+
+    def _page(self) -> Page:
+        rows = tuple((c.name, c.told(), ", ".join(self._shown(s) for s in c.strengths)) for c in self.laws)
+        return Page(self.verdict, tuple(self._worth()), ("law", "grade", "strengths [95 %]"), rows)
+
+    def _table(self) -> dict[str, list[Any]]:
+        rows = [(c, s) for c in self.laws for s in c.strengths]
+        return {
+            "law": [c.name for c, _ in rows],
+            "grade": [c.grade for c, _ in rows],
+            "alpha": [s.alpha for _, s in rows],
+            "strength": [s.estimate for _, s in rows],
+            "strength_low": [s.low for _, s in rows],
+            "strength_high": [s.high for _, s in rows],
+        }
+
+
+def _end(value: float) -> str | None:
+    """An end of an interval; None where there is none."""
+    return None if isnan(value) else repr(value)
+
+
+def _words(candidate: DampingCandidate) -> str:
+    return " and ".join(loss_in_words(s.alpha) for s in candidate.strengths)

@@ -1,0 +1,339 @@
+"""Turning points and passages of a sampled record, by local polynomials with propagated errors.
+
+The local fits are those of Savitzky and Golay (1964), of one degree and at any spacing of the samples.
+
+The record may be uneven, have gaps and NaN, drift, a forced beginning and a noisy tail.  In turn: rows without numbers
+go; the period is found in the spectrum; a smoothed copy gives the lobes between passages through the base line; around
+each extreme and each passage a polynomial is fitted to the raw samples, and its extreme (or root) is taken with the
+error that follows from the residuals and their correlation; the base line (offset and drift) is fitted to the means
+(x_(n-2) + 4 x_(n-1) + 6 x_n + 4 x_(n+1) + x_(n+2))/16, in which a decay leaves its fourth difference only, and
+everything is done once more about it; the free decay begins at the largest turning point, and ends where the
+amplitude sinks into the noise.  What was discarded is said in ``notes``.
+
+>>> t = np.linspace(0, 60, 6001)
+>>> seen = observations_of_record(t, np.exp(-0.02 * t) * np.cos(2 * t))
+>>> seen.last, bool(np.allclose(np.diff(seen.t), np.pi / 2, atol=1e-5))
+(36, True)
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.decays.identification.measuring.defects import shape_notes, usable
+from asymptotics.decays.identification.measuring.main_frequency import dominant_period
+from asymptotics.decays.identification.measuring.observations import Indices, Observations, Samples
+from asymptotics.decays.identification.measuring.quiet_times import quiet_times
+from asymptotics.decays.identification.measuring.sampled import MAX_SAMPLES, observations_of_motion
+from asymptotics.decays.records.rows import RowPlaces
+from asymptotics.decays.records.table import RecordTable
+from asymptotics.decays.records.units import ANGLES, UNITS
+from asymptotics.errors import InputError
+
+_RECORD = RowPlaces("the record")
+_WINDOW, _WIDEST, _SAMPLES = 0.11, 0.26, 4.6
+"""Half-width of a local fit, in periods: 0.7 rad, where a polynomial of degree 6 follows a cosine to 1e-7.  Where the
+samples are few it is nine of them, which the fit needs, up to a quarter of a period, where it follows to 1e-5."""
+_DEGREE = 6  # seven coefficients: nine samples are asked for
+_EXACT, _COARSE = 5e-5, 2e-4
+"""What the narrowest and the widest local fit leave without noise, as shares of the amplitude and of 1/omega: measured
+with losses of exponents 0 to 3."""
+_LEAST_SAMPLES = 22
+"""Samples a period below which extremes cannot be fitted."""
+# Below this the spectrum and the lobes are too coarse: the motion is fitted.
+_LEAST_ROWS = 50
+_FAR = 1.4
+"""Radians beyond which the flat extremes and the growing half periods of a pendulum are no cosines any more."""
+_SPARSE, _NOISY, _DEEP = 100.0, 2e-3, 8.0
+"""Extremes tell less than the samples do where the noise is above 0.002 of the first amplitude and the samples are
+fewer than 100 a period, or the decay comes nearer to the noise than eight times: then the motion is fitted.  The first
+is also the least number of samples of an uneven record whose extremes are fitted."""
+# Nine tenths of the gaps must be below twice the usual one, or a window has too few samples somewhere.
+_UNEVEN = 2.0
+_FEW = 1.0
+"""Extremes a period (there are two) below which a line is taken off before the passages are sought."""
+# Binomial weights: the alternating part cancels up to its fourth difference, in short records up to the second.
+_MEANS, _FEW_MEANS = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16, np.array([1.0, 2.0, 1.0]) / 4
+
+
+@dataclass(frozen=True)
+class _Points:
+    """Extremes and passages found about one base line."""
+
+    t: Array
+    x: Array
+    sigma_t: Array
+    sigma_x: Array
+    passage_t: Array
+    sigma_passage: Array
+    noise: float
+
+
+def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: RowPlaces = _RECORD) -> Observations:
+    """Turning points, turning times and passages of a sampled motion; InputError for a record that has none."""
+    columns = {"t": np.asarray(t, dtype=float), "x": np.asarray(x, dtype=float)}
+    table = RecordTable("record", columns, unit, rows).whole()
+    t, x, rows, name, notes = table.columns["t"], table.columns["x"], table.rows, rows.name, list(table.notes)
+    whole = usable(t, x, rows)
+    back = np.flatnonzero(np.diff(t) <= 0)
+    if len(back):
+        raise InputError("FILE", f"{rows.where(int(back[0]) + 1, 't')}: the time does not increase", "increasing times")
+    if not whole.all():
+        said = f"{int((~whole).sum())} clipped samples masked, the first is row {rows.row(int(np.argmin(whole)))}"
+        return observations_of_motion(t[whole], x[whole], unit=unit, name=name, notes=(*table.notes, said))
+    if len(t) < _LEAST_ROWS:
+        return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
+    period = dominant_period(t, x)
+    per_period = period / float(np.median(np.diff(t)))
+    steps = np.diff(t)
+    uneven = float(np.quantile(steps, 0.9)) > _UNEVEN * float(np.median(steps))
+    if per_period < (_SPARSE if uneven else _LEAST_SAMPLES):
+        return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
+    base = np.array([float(np.median(x)), 0.0])
+    found = _points(t, x - base[0], period)
+    if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
+        slope, level = np.polyfit(t - t[0], x, 1)
+        base = np.array([level, slope])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    # Each pass leaves a fraction of the offset: extremes about a wrong base line are moved by it.
+    for _ in range(2):
+        base = base + _base_line(found, t[0])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    if len(found.x) < 4:
+        return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
+    # A drift below three errors is removed all the same, but not worth telling.
+    if abs(base[1]) * (t[-1] - t[0]) > 3 * np.median(found.sigma_x):
+        notes.append(f"base line {base[0]:.4g} and drift {base[1]:.3g} a unit of time removed")
+    else:
+        notes.append(f"base line {base[0]:.4g} removed")
+    chosen, discarded = _free_decay(found)
+    noisy = found.noise > _NOISY * abs(found.x[chosen[0]])
+    hard = per_period < _SPARSE or abs(found.x[chosen[-1]]) < _DEEP * found.noise
+    # Of a few periods the smooth line has too little to begin with.
+    if noisy and hard and (t[-1] - t[0]) / period > 4:
+        free = (t >= found.t[chosen[0]]) & (t <= found.t[chosen[-1]])
+        kept = (*table.notes, *discarded)
+        return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=kept, period=period)
+    found = _at_quiet_times(t, x - base[0] - base[1] * (t - t[0]), found, chosen, _half_width(t, period))
+    notes += discarded + shape_notes(t, x, found.x[chosen], found.sigma_x[chosen], period)
+    seen = _assembled(found, chosen, unit, name, [*notes, f"sample noise {found.noise:.3g}"])
+    if unit in ANGLES and abs(found.x[chosen[0]]) * UNITS[unit] > _FAR and len(t) <= MAX_SAMPLES:
+        free = (t >= seen.t[0]) & (t <= seen.t[-1])
+        samples = Samples(t[free], x[free], found.noise, float(free.sum()))
+        far = f"angles beyond {np.degrees(_FAR):.0f} degrees: all {free.sum()} samples fitted"
+        error = np.full(len(seen.n), found.noise)
+        return replace(seen, samples=samples, notes=(*seen.notes, far), sigma_x=error, sigma_t=error / seen.reference)
+    return replace(seen, floor=float(np.interp(_half_width(t, period) / period, (_WINDOW, _WIDEST), (_EXACT, _COARSE))))
+
+
+def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: float) -> _Points:
+    """The extremes with their values at the times of a smooth curve through all turning times (``quiet_times``)."""
+    times = quiet_times(
+        found.t[chosen], found.x[chosen], found.sigma_t[chosen], found.passage_t, _steps(found.t[chosen])
+    )
+    if times is None:
+        return found
+    values = found.x.copy()
+    for place, centre in zip(chosen, times):
+        low, high = np.searchsorted(t, [centre - half, centre + half])
+        u = (t[low:high] - centre) / half
+        # Two data to spare, and samples on both sides: an extreme is never extrapolated.
+        if len(u) >= _DEGREE + 3 and u[0] < -0.7 and u[-1] > 0.7:
+            V = np.vander(u, _DEGREE + 1, increasing=True)
+            values[place] = np.linalg.solve(V.T @ V, V.T @ x[low:high])[0]
+    return replace(found, x=values)
+
+
+def _half_width(t: Array, period: float) -> float:
+    """Of the local fits: the same share of the period for all records, but as many samples as the fit needs."""
+    step = float(np.median(np.diff(t)))
+    return min(max(_WINDOW * period, _SAMPLES * step), _WIDEST * period)
+
+
+def _points(t: Array, x: Array, period: float) -> _Points:
+    """Extremes, one in each lobe of the smoothed record, and the passages between them."""
+    step = float(np.median(np.diff(t)))
+    half = _half_width(t, period)
+    # A twentieth of a period: noise goes, and a cosine loses 0.4 % of its height, which the local fits restore. Odd, so
+    # that it is centred.
+    width = max(1, int(0.05 * period / step)) | 1
+    smooth = _moving_mean(x, width)
+    crossing = np.flatnonzero(np.signbit(smooth[1:]) != np.signbit(smooth[:-1])) + 1
+    # Noise makes several crossings of one: the last of a group counts.
+    crossing = crossing[np.diff(t[crossing], append=np.inf) > 0.2 * period]
+    peaks = [
+        a + int(np.argmax(np.abs(smooth[a:b])))
+        for a, b in zip(crossing[:-1], crossing[1:])
+        # A lobe lasts half a period; one of 0.8 has a gap in it, or has lost a crossing.
+        if t[b] - t[a] < 0.8 * period and b - a >= 4
+    ]
+    # The extreme before the first crossing, where the record begins with a whole window about it.
+    if len(crossing) and len(peaks) and t[crossing[0]] - t[0] > 0.05 * period and t[crossing[0]] - t[0] < 0.8 * period:
+        first = int(np.argmax(np.abs(smooth[: crossing[0]])))
+        peaks = [first, *peaks] if first > 0 and t[first] - t[0] > half else peaks
+    extremes = [_local(t, x, t[p], half, extreme=True) for p in peaks]
+    passages = [_local(t, x, t[c], half, extreme=False) for c in crossing]
+    good = [e for e in extremes if e is not None]
+    roots = [p for p in passages if p is not None]
+    residual = [e[4] for e in good]
+    noise = float(np.median(residual)) if residual else 0.0
+    e = np.array(good).reshape(-1, 5)
+    p = np.array(roots).reshape(-1, 5)
+    return _Points(e[:, 0], e[:, 1], e[:, 2] * noise, e[:, 3] * noise, p[:, 0], p[:, 2] * noise, noise)
+
+
+def _moving_mean(x: Array, width: int) -> Array:
+    """The mean over ``width`` samples (odd) about each, by sums: the cost does not grow with the width."""
+    total = np.concatenate([[0.0], np.cumsum(np.pad(x, width // 2, mode="edge"))])
+    return np.asarray((total[width:] - total[:-width]) / width)
+
+
+def _local(t: Array, x: Array, centre: float, half: float, *, extreme: bool) -> tuple[float, ...] | None:
+    """(time, value, d time/noise, d value/noise, noise) of an extreme or a root near ``centre``, or None."""
+    # The window is centred again on the extreme that was found, where its errors are least.
+    for attempt in range(3):
+        low, high = np.searchsorted(t, [centre - half, centre + half])
+        u, y = (t[low:high] - centre) / half, x[low:high]
+        # As above, and no gap of more than a quarter of the window within it.
+        if len(u) < _DEGREE + 3 or u[0] > -0.7 or u[-1] < 0.7 or np.diff(u).max() > 0.5:
+            return None
+        V = np.vander(u, _DEGREE + 1, increasing=True)
+        inverse = np.linalg.inv(V.T @ V)  # of degree 6 on [-1, 1]: a condition of 1e6, and much sooner than an SVD
+        c = inverse @ (V.T @ y)
+        root = _newton(np.polynomial.Polynomial(c), extreme)
+        if root is None:
+            return None
+        if abs(root) < 0.05 or attempt == 2:
+            break
+        centre += root * half
+    assert root is not None
+    powers = root ** np.arange(_DEGREE + 1)
+    slopes = np.concatenate([[0.0], np.arange(1, _DEGREE + 1) * powers[:-1]])
+    curve = np.concatenate([[0.0, 0.0], np.arange(2, _DEGREE + 1) * np.arange(1, _DEGREE) * powers[:-2]])
+    r = y - V @ c
+    spread = float(np.sqrt((r**2).sum() / (len(u) - _DEGREE - 1)))
+    memory = _correlation_factor(r)
+    toward, steepness = (slopes, curve @ c) if extreme else (powers, slopes @ c)
+    # The error of a zero: that of the function (or its slope) over its own slope there.
+    in_time = float(np.sqrt(toward @ inverse @ toward) / abs(steepness) * half)
+    in_value = float(np.sqrt(powers @ inverse @ powers))
+    return centre + root * half, float(powers @ c), in_time * memory, in_value * memory, spread
+
+
+def _newton(polynomial: np.polynomial.Polynomial, extreme: bool) -> float | None:
+    function = polynomial.deriv() if extreme else polynomial
+    slope, u = function.deriv(), 0.0
+    # Newton's iteration in the unit of the window, from its middle; beyond 0.9 the polynomial is not known.
+    for _ in range(12):
+        d = float(slope(u))
+        if d == 0:
+            return None
+        step = float(function(u)) / d
+        u -= step
+        if abs(u) > 0.9:
+            return None
+        if abs(step) < 1e-13:
+            break
+    return u
+
+
+def _correlation_factor(r: Array) -> float:
+    """sqrt((1 + rho)/(1 - rho)): what correlated residuals add to the error of a mean."""
+    power = float((r**2).sum())
+    rho = float((r[1:] * r[:-1]).sum()) / power if power > 0 else 0.0
+    # The sum formula of AR(1); at 0.9 the error is stretched by 4.4, and a window knows no more than that.
+    rho = min(max(rho, 0.0), 0.9)
+    return float(np.sqrt((1 + rho) / (1 - rho)))
+
+
+def _base_line(found: _Points, start: float) -> Array:
+    """Offset at the start and drift from the means of neighbours, weighted by the amplitude's smallness."""
+    x, t = found.x, found.t
+    weights = _MEANS if len(x) >= 12 else _FEW_MEANS
+    if len(x) < len(weights):
+        return np.zeros(2)
+    side = len(weights) // 2
+    middle, time = np.convolve(x, weights, mode="valid"), t[side:-side]
+    # Only where all five alternate does their mean cancel the motion.
+    alternate = np.convolve(np.sign(x[1:]) * np.sign(x[:-1]) >= 0, np.ones(2 * side), mode="valid") < 0.5
+    if alternate.sum() < 3:
+        return np.zeros(2)
+    middle, time = middle[alternate], time[alternate]
+    # Four median deviations: a knock does not bend the line.
+    near = np.abs(middle - np.median(middle)) <= 4 * np.median(np.abs(middle - np.median(middle))) + 1e-300
+    # A drift from fewer means would be the noise's.
+    if near.sum() < 8:
+        return np.array([float(np.median(middle)), 0.0])
+    slope, level = np.polyfit(time[near] - start, middle[near], 1)
+    return np.array([level, slope])
+
+
+def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
+    """Indices of the free decay: from the largest turning point to the first that the noise hides."""
+    size, notes = np.abs(found.x), []
+    first = int(np.argmax(size >= size.max() - 4 * float(np.median(found.sigma_x))))  # noise alone makes none larger
+    if first > len(size) // 2:  # a growing record: nothing to cut off
+        first = 0
+    else:
+        started = _start_of_freedom(found.t[first:])
+        if started:
+            notes.append(f"{started} turning points after the release, with disturbed durations, left out")
+        first += started
+    # Below five standard errors an extreme is chosen by its noise.
+    hidden = np.flatnonzero(size[first:] < 5 * found.sigma_x[first:])
+    last = first + int(hidden[0]) if len(hidden) else len(size)
+    chosen = np.arange(first, last)
+    # Signs alternate over an odd number of half-swings; where they do not, one was lost or invented.
+    side = np.sign(found.x[chosen])
+    same = np.flatnonzero((side[1:] * side[:-1] >= 0) != (_steps(found.t[chosen]) % 2 == 0))
+    if len(same):
+        chosen = chosen[: same[0] + 1]
+        notes.append(f"from t = {found.t[chosen[-1]]:.6g} on, extremes do not alternate: left out")
+    if first:
+        notes.append(f"{first} turning points in all before t = {found.t[first]:.6g} left out: forced or released")
+    if last < len(size):
+        notes.append(f"{len(size) - last} turning points hidden by noise (t > {found.t[last - 1]:.6g}) left out")
+    if len(chosen) < 4:
+        raise InputError("FILE", f"only {len(chosen)} turning points form a free decay", "at least 4")
+    return chosen, notes
+
+
+def _steps(t: Array) -> Array:
+    """How many half-swings lie between successive extremes: 1, but across a gap as many as its length holds."""
+    half = np.diff(t)
+    return np.asarray(np.maximum(np.round(half / np.median(half)), 1.0)) if len(half) else half
+
+
+def _start_of_freedom(t: Array) -> int:
+    """How many of the first half periods do not lie on the line through the next eight: the hand is still there."""
+    half, k = np.diff(t), np.arange(1, 9)
+    # The latest of the first three that is disturbed takes those before it along.
+    for first in (2, 1, 0):
+        following = half[first + 1 : first + 9]
+        if len(following) < 8:
+            continue
+        line = np.polynomial.Polynomial.fit(k, following, 1)
+        # Eight half periods less the two coefficients of the line.
+        scatter = float(np.sqrt(np.mean((following - line(k)) ** 2) * 8 / 6))
+        # Five of its scatter, extrapolated by one: chance hardly does that, and a hand does.
+        if abs(half[first] - line(0)) > 5 * scatter:
+            return first + 1
+    return 0
+
+
+def _assembled(found: _Points, chosen: Indices, unit: str, name: str, notes: list[str]) -> Observations:
+    """Numbers by the clock, so that a gap in the record is a gap in n; passages between the chosen extremes."""
+    t = found.t[chosen]
+    steps = _steps(t)
+    n = np.concatenate([[0], np.cumsum(steps)]).astype(int)
+    inside = (found.passage_t > t[0]) & (found.passage_t < t[-1])
+    p, s = found.passage_t[inside], found.sigma_passage[inside]
+    place = np.searchsorted(t, p) - 1
+    # Across a gap the number of a passage is not known.
+    whole = np.concatenate([steps == 1, [False]])[place]
+    seen = Observations.of(
+        n, found.x[chosen], t, passage_n=n[place[whole]], passage_t=p[whole], sigma_x=found.sigma_x[chosen],
+        sigma_t=found.sigma_t[chosen], sigma_passage=s[whole], unit=unit, name=name, notes=notes,
+    )  # fmt: skip
+    return replace(seen, x=found.x[chosen])

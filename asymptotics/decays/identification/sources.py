@@ -1,0 +1,212 @@
+"""A table becomes runs: a sampled motion is cleaned and cut at its releases, turning points are checked row by row."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from asymptotics.decays.identification.fitting.printed import Decrements
+from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.decays.identification.measuring.at_rest import moving
+from asymptotics.decays.identification.measuring.extraction import observations_of_record
+from asymptotics.decays.identification.measuring.main_frequency import dominant_period
+from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.measuring.ringdown import observations_of_envelope
+from asymptotics.decays.identification.measuring.sampled import LEAST_SAMPLES, observations_of_motion
+from asymptotics.decays.identification.measuring.second_mode import without_second_modes
+from asymptotics.decays.identification.measuring.sensors import sensor_notes
+from asymptotics.decays.records.clock import runs_of, straightened
+from asymptotics.decays.records.repairs import releases, spikes
+from asymptotics.decays.records.rows import RowPlaces
+from asymptotics.decays.records.sources import How
+from asymptotics.decays.records.table import RecordTable, read_table
+from asymptotics.errors import InputError, LimitError
+
+LEAST_POINTS = 4
+"""First amplitude and a strength leave two data of four: fewer turning points tell no law from another."""
+MAX_SWINGS = 1_000_000
+"""Half-swings from the first to the last turning point: every one is computed for every law, in half a minute each."""
+Run = Observations | Decrements
+
+
+def load(
+    source: Any, kind: str | None = None, unit: str = "", how: How | None = None, omega_0: float | None = None
+) -> list[Run]:
+    """The runs of a source, one if its clock never starts again; InputError for what cannot be used.
+
+    ``omega_0``, in rad/s, is asked for where amplitudes alone are sampled and the file does not say their frequency.
+    """
+    if isinstance(source, Observations | Decrements):
+        if isinstance(source, Observations):
+            _require_few(source.last, source.name or "n")
+        return [source]
+    table = read_table(source, kind, unit, how)
+    try:
+        if table.kind == "decrement":
+            return [_decrements(table)]
+        if table.kind == "envelope":
+            found: list[Observations] = [_ringdown(table.whole(), omega_0)]
+        else:
+            found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole())
+        return [replace(run, time_unit=table.clock) for run in found]
+    except InputError as error:
+        # A column that was taken wrongly may be why: the refusal names it, and those that swing more.
+        told = table.read_as() if error.argument.startswith("FILE") else ""
+        raise type(error)("FILE", f"{error.reason}; {told}", error.accepted) if told else error from None
+
+
+def _motions(table: RecordTable) -> list[Observations]:
+    t = table.columns["t"]
+    pieces = runs_of(t)
+    found: list[Observations] = []
+    for number, places in enumerate(pieces, start=1):
+        run = table.kept(places) if len(pieces) > 1 else table
+        if len(pieces) > 1:
+            said = f"the clock starts again: run {number} of {len(pieces)}, from row {table.rows.row(int(places[0]))}"
+            name = f"{table.rows.name} (run {number})"
+            run = replace(run, notes=(*run.notes, said), rows=replace(run.rows, name=name))
+        found += _decays(run)
+    return found
+
+
+def _decays(run: RecordTable) -> list[Observations]:
+    """Each release of a run, without the samples that are spikes."""
+    column = "xva"[_order(run)]
+    t, x, rows, notes = straightened(run.columns["t"], run.columns[column], run.rows)
+    # Spikes go before the releases are sought: one of them would be the largest swing.
+    wild = spikes(x)
+    if wild.any():
+        first = rows.where(int(np.argmax(wild)), column)
+        notes = (*notes, f"{int(wild.sum())} samples far from their neighbours left out, the first is {first}")
+        t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
+    said = (*run.notes, *notes, *sensor_notes(t, x))
+    parts, found = releases(t, x), list[Observations]()
+    for number, places in enumerate(parts, start=1):
+        own, told = rows if len(places) == len(t) else rows.kept(places), said
+        if len(places) < len(t):
+            stretch = f"free decay from t = {t[places[0]]:.6g} to {t[places[-1]]:.6g}"
+            told = (*said, f"{stretch}: the rest is held or touched")
+        if len(parts) > 1:
+            told = (*said, f"released again: run {number} of {len(parts)}, {stretch}; held or touched between")
+            own = replace(own, name=f"{rows.name} (release {number})")
+        try:
+            found.append(_decay(t[places], x[places], run, own, told))
+        # One release of several may be too short; the only one may not.
+        except InputError as error:
+            if len(parts) == 1:
+                raise
+            said = (*said, f"release {number} of {len(parts)} left out: {error.reason}")
+    if not found:
+        raise InputError("FILE", "; ".join([rows.name, *said[-len(parts) :]]), "a free decay")
+    return found
+
+
+def _ringdown(table: RecordTable, omega_0: float | None) -> Observations:
+    """A sampled envelope, at the frequency that is said or that its file says."""
+    frequency = table.frequency if omega_0 is None else omega_0 / (2 * np.pi)
+    if frequency is None:
+        raise InputError("omega_0", f"{table.rows.name} is an envelope and says no frequency", "2 pi f in rad/s")
+    t, x, rows, notes = straightened(table.columns["t"], table.columns["x"], table.rows)
+    return observations_of_envelope(
+        t, x, frequency, relative=table.relative, unit=table.unit, name=rows.name, notes=(*table.notes, *notes)
+    )
+
+
+def _order(run: RecordTable) -> int:
+    return ("record", "velocity", "acceleration").index(run.kind)
+
+
+def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...]) -> Observations:
+    # Within each release: a line has its own phase and size in each of them.
+    whole = t
+    # What never changes has no period, which the search for a second mode asks for.
+    if len(x) > 1 and not np.ptp(x) > 0:
+        raise InputError("FILE", f"{rows.name}, column {'xva'[_order(run)]}: all values are {x[0]:g}", "a motion")
+    x, lines = without_second_modes(t, x)
+    notes = (*notes, *lines)
+    if _order(run) == 0:
+        swinging = moving(t, x, dominant_period(t, x)) if len(t) >= LEAST_SAMPLES else slice(None)
+        rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
+        seen = observations_of_record(t, x, unit=run.unit, rows=rows)
+        return replace(seen, notes=(*notes, *seen.notes, *_tail(whole, seen)))
+    if len(t) < LEAST_SAMPLES:
+        raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
+    return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
+
+
+def _tail(t: Array, seen: Observations) -> list[str]:
+    """What of the end of the record is not used, where it is more than a period."""
+    used = float((seen.t if seen.samples is None else seen.samples.t)[-1])
+    period = 2 * float(np.median(np.diff(seen.t) / np.diff(seen.n)))
+    beyond = (float(t[-1]) - used) / period
+    return [f"the last {beyond:.2g} periods, after t = {used:.6g}, are not used"] if beyond > 1 else []
+
+
+def require_increasing(values: Array, column: str, rows: RowPlaces) -> None:
+    """InputError with the row at which ``values`` does not increase."""
+    wrong = np.flatnonzero(np.diff(values) <= 0)
+    if len(wrong):
+        row = int(wrong[0]) + 1
+        reason = f"{rows.where(row, column)}: {values[row]:g} after {values[row - 1]:g}"
+        raise InputError("FILE", reason, "increasing values")
+
+
+def _turning_points(table: RecordTable) -> Observations:
+    n = table.columns["n"]
+    fraction = np.flatnonzero(~(np.isnan(n) | (n == np.round(n))))
+    if len(fraction):
+        reason = f"{table.rows.where(fraction[0], 'n')}: {n[fraction[0]]:g} is not a whole number"
+        raise InputError("FILE", reason, "0, 1, 2, ...")
+    table = table.whole()
+    notes = table.notes
+    rows, name, tau = table.rows, table.rows.name, table.columns.get("tau")
+    n, x = table.columns["n"], table.columns["x"]
+    _require_points(x, rows, notes[1:])
+    require_increasing(n, "n", rows)
+    _require_few(n[-1] - n[0], rows.where(len(n) - 1, "n"))
+    if tau is not None:
+        require_increasing(tau, "tau", rows)
+    seen = Observations.of(n.astype(int), x, () if tau is None else tau, unit=table.unit, name=name, notes=notes)
+    wrong = np.flatnonzero(seen.x * seen.sign < 0)
+    # Noise may change the sign of the last points; more than a third is another numbering.
+    if len(wrong) > max(2, len(x) // 3):
+        reason = f"{rows.where(wrong[0], 'x')}: the signs do not alternate with n"
+        raise InputError("FILE", reason, "x_n with alternating signs, or amplitudes of one sign")
+    return seen
+
+
+def _require_few(swings: float, where: str) -> None:
+    # A law of one loss asks for half a kilobyte for each half-swing, one of four for three times as much.
+    if swings > MAX_SWINGS:
+        reason = f"{where}: {swings:.3g} half-swings, computed for each law in about {swings * 5e-7:.3g} GB"
+        raise LimitError("FILE", reason, f"at most {MAX_SWINGS} half-swings from the first to the last")
+
+
+def _require_points(x: Array, rows: RowPlaces, notes: tuple[str, ...]) -> None:
+    if len(x) < LEAST_POINTS:
+        reason = "; ".join([f"{rows.name} has {len(x)} turning points", *notes])
+        raise InputError("FILE", reason, f"at least {LEAST_POINTS}")
+    if not np.ptp(np.abs(x)) > 0:
+        raise InputError("FILE", f"{rows.name}, column x: all values are {abs(x[0]):g}", "amplitudes that change")
+    if not abs(x[0]) > 0:
+        raise InputError("FILE", f"{rows.where(0, 'x')}: the first turning point is 0", "a number other than 0")
+
+
+def _decrements(table: RecordTable) -> Decrements:
+    table = table.whole()
+    notes = table.notes
+    rows, columns = table.rows, table.columns
+    amplitude, decrement, resolution = columns["amplitude"], columns["decrement"], columns.get("resolution")
+    if len(amplitude) < 2:
+        raise InputError("FILE", f"{rows.name} has {len(amplitude)} rows with numbers", "at least 2")
+    # A decrement of twice the mean amplitude would end at 0 or beyond.
+    checks = [("amplitude", amplitude <= 0, "is not positive"), ("decrement", decrement >= 2 * amplitude, "too large")]
+    if resolution is not None:
+        wide = np.abs(decrement) + resolution >= 2 * amplitude
+        checks += [("resolution", resolution < 0, "is negative"), ("resolution", wide, "leaves no limit in this row")]
+    for column, wrong, reason in checks:
+        if wrong.any():
+            place = int(np.argmax(wrong))
+            said = f"{rows.where(place, column)}: {columns[column][place]:g} {reason}"
+            raise InputError("FILE", said, "amplitude > 0, resolution >= 0, decrement + resolution < 2 amplitude")
+    return Decrements(amplitude, decrement, resolution, table.unit, rows.name, notes)

@@ -1,0 +1,200 @@
+"""Period, Q(A), T(A) and half-life of a record before any law: from the envelope, a smooth curve through amplitudes.
+
+In a half-swing ln A falls by a sum of powers of A (from 1/A to A^2; which of them, by AICc), and Q = pi/2 over this
+fall, at the first amplitude, the last and the geometric mean of both, with 95 % intervals of the regression.  No law of
+motion enters, and no spring: it is told for every record that swings, whatever the verdict is.  The intervals are those
+of all choices of powers whose AICc is near that of the best.
+
+>>> n = np.arange(30)
+>>> found = envelope(Observations.of(n, (-1.0) ** n * np.exp(-0.05 * n), 0.5 * n))
+>>> [(f"{q['amplitude']:.3g}", f"{q['estimate']:.4g}") for q in found.quality]
+[('1', '31.42'), ('0.484', '31.42'), ('0.235', '31.42')]
+>>> f"{found.period['estimate']:.4g}", f"{found.half_life['estimate']:.4g}"
+('1', '6.931')
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import combinations
+from math import inf, log, pi
+from typing import Any
+
+import numpy as np
+from scipy.special import stdtrit
+
+from asymptotics.decays.identification.fitting.starting import rest_position
+from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.decays.identification.measuring.criteria import aicc
+from asymptotics.decays.identification.measuring.observations import Indices, Observations
+from asymptotics.decays.identification.telling.backbone import backbone
+from asymptotics.decays.records.units import SECONDS
+
+Ends = dict[str, float]
+Decline = Callable[[float], Ends]
+_INVERTED = {"low": "high", "estimate": "estimate", "high": "low"}
+_POWERS, _LEAST, _GRID, _NEAR = (-1, 0, 1, 2), 5, 101, 4.0
+"""Of A, in the fall of ln A by the losses of exponents 0 to 3; turning points below which there is no error; places
+between an amplitude and half of it; and the AICc above the best up to which a choice of powers is believed too."""
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """``period`` and ``half_life`` (from the first amplitude) in the file's unit of ``time``, None without times;
+    ``quality``: Q at three amplitudes, in the ``unit`` of x; ``backbone``: the period at them, of turning times."""
+
+    period: Ends | None
+    quality: tuple[Ends, ...]
+    half_life: Ends | None
+    unit: str = ""
+    time: str = "s"
+    backbone: tuple[Ends, ...] = ()
+
+    def to_dict(self, law_known: bool) -> dict[str, Any]:
+        """JSON-ready: numbers are strings, an end without a limit is null."""
+        return {
+            "period": _texts(self.period), "quality": [_texts(q) for q in self.quality],
+            "half_life": _texts(self.half_life), "time_unit": self.time, "law_known": law_known,
+            "backbone": [self._at(row) for row in self.backbone],
+        }  # fmt: skip
+
+    def _at(self, row: Ends) -> dict[str, Any]:
+        """The period in the file's unit of time, and omega in rad/s, at an amplitude."""
+        period = {name: row[name] for name in _INVERTED}
+        omega = {name: 2 * pi / (SECONDS[self.time] * row[by]) for name, by in _INVERTED.items()}
+        return {"amplitude": f"{row['amplitude']:.6g}", "period": _texts(period), "omega": _texts(omega)}
+
+    @property
+    def chirps(self) -> bool:
+        """Whether the period at the first amplitude is another than at the last."""
+        first, last = (self.backbone[0], self.backbone[-1]) if self.backbone else ({}, {})
+        return bool(first) and (first["high"] < last["low"] or last["high"] < first["low"])
+
+    def told(self) -> str:
+        """One line: period, Q(A) and half-life with their intervals."""
+        each = [f"{_span(q)} at {q['amplitude']:.3g} {self.unit}".rstrip() for q in self.quality]
+        times = {"period": self.period, "half-life": self.half_life}
+        period, life = (f"{k} {_span(v)} {self.time}" if v else "" for k, v in times.items())
+        shown = self.backbone[:: len(self.backbone) - 1] if self.chirps else ()
+        ends = [f"{_span(row, 5)} at {row['amplitude']:.3g} {self.unit}".rstrip() for row in shown]
+        chirp = f"T = {', '.join(ends)}" if ends else ""
+        return "; ".join(
+            part for part in ("envelope, before any law: " + period, chirp, f"Q = {', '.join(each)}", life) if part
+        )
+
+
+def envelope(seen: Observations) -> Envelope | None:
+    """From the turning points of a run; None where they are too few, or some are 0."""
+    size = np.abs(seen.x - (rest_position(seen) if seen.samples is None else 0.0))
+    inside = seen.inside
+    n, size = seen.n[inside], size[inside]
+    if len(n) < _LEAST or not (size > 0).all():
+        return None
+    scatter = float(np.mean(seen.sigma_x[inside])) if len(seen.sigma_x) else 0.0
+    # The errors of a level are proportional to it; those of a place are alike.
+    alike = 1.0 if seen.spacing is None or not len(seen.sigma_x) else seen.sigma_x[inside] / seen.sigma_x[0]
+    decline = _decline(n, size, scatter if seen.spacing is None else 0.0, alike)
+    if decline is None:
+        return None
+    ends = np.array([size[0], np.sqrt(size[0] * size[-1]), size[-1]])
+    quality = tuple(_quality(float(a), decline(float(a)), seen.stride) for a in ends)
+    period = _period(n, seen.t[inside]) if seen.has_times else None
+    step = None if period is None else period["estimate"]
+    if seen.spacing is not None:  # an envelope: n is an artificial clock, and the true period is known
+        step = 2 * seen.spacing
+        period = dict.fromkeys(("low", "estimate", "high"), step / seen.stride)
+    life = None if step is None else _half_life(decline, size, step)
+    time = seen.time_unit or "s"
+    period, life = (v and {k: e / SECONDS[time] for k, e in v.items()} for v in (period, life))
+    return Envelope(period, quality, life, seen.unit, time, _backbone(seen, n, size, time))
+
+
+def _backbone(seen: Observations, n: Indices, size: Array, time: str) -> tuple[Ends, ...]:
+    """T(A) in the file's unit of time, where there are turning times."""
+    if not seen.has_times:
+        return ()
+    error = float(np.mean(seen.sigma_t[seen.inside])) if len(seen.sigma_t) else 0.0
+    rows = backbone(n, size, seen.t[seen.inside], error)
+    return tuple({k: v if k == "amplitude" else v / SECONDS[time] for k, v in row.items()} for row in rows)
+
+
+def _decline(n: Indices, size: Array, stated: float, error: Array | float) -> Decline | None:
+    """What ln A loses in a half-swing at an amplitude: the sum of powers of A that the criterion chooses."""
+    gap = np.diff(n)
+    # The geometric mean is the amplitude in the middle of a half-swing; sums forgive noise where differences would not.
+    middle = np.sqrt(size[1:] * size[:-1]) / size[0]
+    sums = {k: -np.concatenate([[0.0], np.cumsum(gap * middle**k)]) for k in _POWERS}
+    sets = [c for count in range(1, len(_POWERS) + 1) for c in combinations(_POWERS, count)]
+    weight = size / size[0] / error  # where the errors of the amplitudes are alike, those of their logarithms are not
+    found = []
+    for powers in sets:
+        V = np.stack([np.ones(len(size)), *(sums[k] for k in powers)], axis=1) * weight[:, None]
+        y = weight * np.log(size)
+        c, freedom = np.linalg.lstsq(V, y, rcond=None)[0], len(size) - V.shape[1]
+        rss = max(float(((y - V @ c) ** 2).sum()), 1e-24)
+        value = aicc(len(y) * log(rss / len(y)), V.shape[1] + 1, len(y))
+        if np.isfinite(value):
+            # What is told of the amplitudes elsewhere counts where it is more than the scatter, as for a smooth line.
+            noise = max(rss / freedom, (stated / size[0]) ** 2)
+            covariance = (np.linalg.pinv(V.T @ V) * noise)[1:, 1:] * float(stdtrit(freedom, 0.975)) ** 2
+            found.append((value, _Fall(powers, c[1:], covariance)))
+    if not found:
+        return None
+    least = min(value for value, _ in found)
+    near = [fall for value, fall in sorted(found, key=lambda pair: pair[0]) if value < least + _NEAR]
+
+    def decline(amplitude: float) -> Ends:
+        each = [fall.at(amplitude / size[0]) for fall in near]
+        return {
+            "low": min(value - error for value, error in each), "estimate": each[0][0],
+            "high": max(value + error for value, error in each),
+        }  # fmt: skip
+
+    return decline
+
+
+@dataclass(frozen=True)
+class _Fall:
+    """The fall of ln A in a half-swing as a sum of powers; ``covariance``: times the square of the quantile."""
+
+    powers: tuple[int, ...]
+    coefficients: Array
+    covariance: Array
+
+    def at(self, amplitude: float) -> tuple[float, float]:
+        by = np.array([amplitude**k for k in self.powers])
+        return float(by @ self.coefficients), float(np.sqrt(by @ self.covariance @ by))
+
+
+def _quality(amplitude: float, fall: Ends, stride: float) -> Ends:
+    """Q = pi/2 over the fall in a half-swing; without a limit where that may be 0."""
+    ends = {name: pi / 2 * stride / fall[by] if fall[by] > 0 else inf for name, by in _INVERTED.items()}
+    return {"amplitude": amplitude, **ends}
+
+
+def _period(n: Indices, t: Array) -> Ends:
+    """Twice the slope of the turning times; its chirp widens the interval."""
+    line, deviation = np.polyfit(n, t, 1, cov=True) if len(n) > 4 else (np.polyfit(n, t, 1), np.zeros((2, 2)))
+    reach = 2 * float(np.sqrt(deviation[0, 0])) * float(stdtrit(max(len(n) - 2, 1), 0.975))
+    middle = 2 * float(line[0])
+    return {"low": middle - reach, "estimate": middle, "high": middle + reach}
+
+
+def _half_life(decline: Decline, size: Array, period: float) -> Ends:
+    """The time in which ln A falls by ln 2; below the last amplitude as there."""
+    grid = np.linspace(log(size[0] / 2), log(size[0]), _GRID)
+    found = [decline(max(float(np.exp(s)), float(size.min()))) for s in grid]
+    ends = {}
+    for name, by in _INVERTED.items():
+        rate = np.array([fall[by] for fall in found])
+        ends[name] = float(np.trapezoid(1 / rate, grid)) * period / 2 if (rate > 0).all() else inf
+    return ends
+
+
+def _span(ends: Ends, digits: int = 3) -> str:
+    low, high = ("-" if not np.isfinite(ends[k]) else f"{ends[k]:.{digits}g}" for k in ("low", "high"))
+    middle = f"{ends['estimate']:.{digits}g}" if np.isfinite(ends["estimate"]) else "without limit"
+    return middle if low == middle == high else f"{middle} [{low}, {high}]"
+
+
+def _texts(ends: Ends | None) -> dict[str, str | None] | None:
+    return None if ends is None else {k: f"{v:.6g}" if np.isfinite(v) else None for k, v in ends.items()}

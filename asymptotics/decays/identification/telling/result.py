@@ -1,0 +1,178 @@
+"""What identification found: a frozen record with a table, LaTeX and JSON."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from asymptotics.decays.identification.fitting.printed import Decrements
+from asymptotics.decays.identification.judging.judgement import rivals
+from asymptotics.decays.identification.judging.laws import Judged
+from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.telling.agreement import agreed
+from asymptotics.decays.identification.telling.envelope import Envelope, envelope
+from asymptotics.decays.identification.telling.equivalents import equivalent
+from asymptotics.decays.identification.telling.in_words import in_words
+from asymptotics.decays.identification.telling.law_answer import LETTERS, LawAnswer, number_text
+from asymptotics.decays.identification.telling.plots import draw_decrements, draw_panels, shown_laws
+from asymptotics.decays.identification.telling.record_units import RecordUnits
+from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, MANY, Verdict
+from asymptotics.errors import require_choice
+from asymptotics.numbers.alike import Alike
+from asymptotics.numbers.policy import exact_integer
+from asymptotics.present.drawn import Drawn
+from asymptotics.present.shown import Page, Rows, plain
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Identification(Alike, Rows, Drawn):
+    """The answer for one or several runs.
+
+    ``verdict``: one of four, in words; ``laws``: the candidates, best first; ``runs``: the data; ``textbook``: the
+    classical estimators by name; ``notes``: what was found, discarded, assumed; ``per_run``: for several runs, each
+    run's answer.
+    """
+
+    verdict: Verdict
+    laws: tuple[LawAnswer, ...]
+    runs: tuple[Observations | Decrements, ...]
+    textbook: dict[str, Any]
+    notes: tuple[str, ...]
+    units: RecordUnits
+    per_run: tuple["Identification", ...] = ()
+
+    @property
+    def best(self) -> LawAnswer:
+        """The first law of the verdict."""
+        return self.laws[0]
+
+    @property
+    def of_the_verdict(self) -> tuple[LawAnswer, ...]:
+        """The laws that compete, best first; where there are none, the first law."""
+        chosen = {law.candidate for law in rivals([answer.law for answer in self.laws])[0]}
+        return tuple(answer for answer in self.laws if answer.law.candidate in chosen) or self.laws[:1]
+
+    @property
+    def in_words(self) -> str:
+        """Q at both ends of the record and the half-life, of the first law; empty for tables and several runs."""
+        return in_words(self._equivalent(), self.units.unit)
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """Of each law of the verdict (three at most) words, equation, strengths and Q; what all of them say of Q; and
+        Q of the envelope, which needs no law."""
+        laws = self.of_the_verdict
+        found = [line for answer in laws[:MANY] for line in answer.lines]
+        together, bare = agreed([answer.law for answer in laws], self.units), self._bare()
+        return (*found, *([] if together is None else [str(together)]), *([] if bare is None else [bare.told()]))
+
+    def _equivalent(self) -> dict[str, Any] | None:
+        return None if self.per_run or not self.laws else equivalent(self.best.law, self.units.omega_0)
+
+    def _equivalent_texts(self) -> dict[str, Any] | None:
+        """The same as JSON: numbers are strings."""
+        found = self._equivalent()
+        if found is None:
+            return None
+        rows = {name: [number_text(x) for x in found[name]] for name in ("amplitudes", "Q", "zeta")}
+        return rows | {"half_life": number_text(found["half_life"]), "half_life_unit": found["half_life_unit"]}
+
+    def _bare(self) -> Envelope | None:
+        """Period, Q(A) and half-life before any law; of several runs, those of the first."""
+        run = self.runs[0]
+        return envelope(run) if isinstance(run, Observations) else None
+
+    def law(self, text: str) -> LawAnswer:
+        """The answer for one candidate, by its name such as ``1+2`` or ``free+s3``; InputError if it is not there."""
+        named = {str(answer.law.candidate): answer for answer in self.laws}
+        return named[require_choice(text, "text", named)]
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON-ready: numbers are strings."""
+        bare, together = self._bare(), agreed([answer.law for answer in self.of_the_verdict], self.units)
+        found: dict[str, Any] = {
+            "verdict": self.verdict.text,
+            "verdict_kind": self.verdict.kind,
+            "telling": self.verdict.telling or None,
+            "equivalent": self._equivalent_texts(),
+            "envelope": None if bare is None else bare.to_dict(self.verdict.kind == IDENTIFIED),
+            "agreed": None if together is None else together.to_dict(),
+            "not_excluded": [term.to_dict() for term in self.verdict.allowed],
+            "laws": [law.to_dict() for law in self.laws],
+            "untried": [str(law.law.candidate) for law in self.laws if law.law.untried],
+            "data": [_data(run) for run in self.runs],
+            "textbook": self.textbook,
+            "unit": self.units.unit or None,
+            "omega_0": None if self.units.omega_0 is None else number_text(self.units.omega_0),
+            "notes": list(self.notes),
+        }
+        if self.per_run:
+            found["runs"] = [run.to_dict() for run in self.per_run]
+        return found
+
+    def table(self, count: int = 12) -> str:
+        """The first laws as a table of text."""
+        count = exact_integer(count, "count", 1, 10_000)  # more than are ever tried
+        rows: list[tuple[str, ...]] = [("law", "verdict", "dAICc", "held-out", "strengths [interval]")]
+        rows += [answer.row() for answer in self.laws[:count]]
+        widths = [max(len(row[i]) for row in rows) for i in range(4)]
+        return "\n".join("  ".join([*(c.ljust(w) for c, w in zip(row, widths)), row[4]]).rstrip() for row in rows)
+
+    def __repr__(self) -> str:
+        return f"Identification({self.verdict.text})"
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Decay, decrement against amplitude, residuals and profiles; on given axes the decrements alone.
+
+        InputError for several runs and printed decrements, and as ``Motion.plot``.
+        """
+        return super().plot(ax, **{"panels": ax is None, **style})
+
+    def _heading(self) -> str:
+        return self.verdict.text
+
+    def _size(self, style: Mapping[str, Any]) -> tuple[float, float]:
+        return (10, 7.5) if style.get("panels") else super()._size(style)
+
+    def _curve(self, axes: Any, **style: Any) -> bool:
+        panels = bool(style.pop("panels", False))
+        if panels:
+            draw_panels(self, axes)
+        else:
+            draw_decrements(axes, shown_laws(self), self.units.unit)
+        return panels
+
+    def _formula(self) -> str:
+        return rf"\text{{{plain(self.verdict.text)}}}\quad\text{{first of {len(self.laws)}: }} {self.best._formula()}"
+
+    def _page(self) -> Page:
+        """The verdict, then what tells the laws apart, the table of the first laws and the notes."""
+        head = ("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]")
+        lines = (*self.lines, self.verdict.telling, *self.notes)
+        return Page(self.verdict.text, lines, head, tuple(a.row() for a in self.laws))
+
+    def _letters(self) -> dict[str, str]:
+        return LETTERS
+
+    def _table(self) -> dict[str, list[Any]]:
+        rows = [row for answer in self.laws for row in answer.strengths()]
+        return {name: [row[name] for row in rows] for name in (rows[0] if rows else ())}
+
+
+def _data(run: "Observations | Decrements") -> dict[str, Any]:
+    if isinstance(run, Decrements):
+        return {"name": run.name, "decrements": len(run.decrement)}
+    return {"name": run.name, "turning_points": len(run.n), "times": run.has_times, "first": number_text(run.reference)}
+
+
+def sorted_laws(laws: Sequence[Judged]) -> list[Judged]:
+    """The laws of the verdict (consistent, no term too many) first, of these the physical ones, then by the criterion;
+    laws without one last.  Where none is consistent, those that are no result, being unphysical or far outside the
+    data, come after those that are: they do not head an answer."""
+    standing = any(law.verdict == "consistent" for law in laws)
+
+    def place(law: Judged) -> tuple[bool, bool, float, int]:
+        chosen = law.verdict == "consistent" and not law.unneeded
+        spoilt = bool(law.negative or law.evidence.outside) and (chosen or not standing)
+        return not chosen, spoilt, law.criterion, len(law.candidate.losses)
+
+    return sorted(laws, key=place)

@@ -1,0 +1,144 @@
+"""How a text table is laid out: separator, decimal mark, header, and the line at which the numbers begin.
+
+Every pair of a separator and a decimal mark is tried on the first lines; the one that makes the most cells numbers, in
+rows of one width, is taken.  Two that do so equally and read different numbers are not chosen between: InputError asks.
+
+>>> found = layout_of(["Messung 3", "", "Zeit (s);Winkel", "s;deg", "0,0;1,5", "0,1;1,25", "0,2;1,0"], "a.csv")
+>>> found.separator, found.decimal, found.header, found.start
+(';', ',', ('Zeit (s)', 'Winkel [deg]'), 4)
+"""
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from asymptotics.decays.records.cells import MISSING, is_grouped, is_stamp, number
+from asymptotics.decays.records.header import header_of
+from asymptotics.decays.records.lines import WHITE, is_comment, split
+from asymptotics.decays.records.one_column import one_column
+from asymptotics.errors import InputError
+
+_SEPARATORS = ("\t", ";", "|", ",", WHITE)
+"""The signs that are no decimal marks first: of equal readings the first wins, by a millionth of the score."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """``separator``: a character, or a space for any white space; ``header``: the names (empty: none); ``start``: the
+    line of the first numbers, from 0; ``thousands``: whether commas (points) group thousands."""
+
+    separator: str
+    decimal: str
+    header: tuple[str, ...]
+    start: int
+    width: int
+    thousands: bool = False
+
+    def cells(self, line: str) -> list[str]:
+        """The cells of a line."""
+        return split(line, self.separator)
+
+
+def layout_of(lines: Sequence[str], name: str, *, decimal: str | None = None, skip: int = 0) -> Layout:
+    """The layout that the first lines show; InputError if they hold no table, or two readings are possible."""
+    # Excel announces the separator in a first line, sep=;.
+    separator = next((s for s in (_announced(line) for line in lines[:3]) if s), None)
+    tried = [
+        found
+        for mark in ((decimal,) if decimal else (".", ","))
+        for s in ((separator,) if separator else _SEPARATORS)
+        if (found := _tried(lines, s, mark, skip)) is not None
+    ]
+    single = one_column(lines, decimal, skip)
+    most = max((score for score, _ in tried), default=0)
+    if single and (single.rows > 2 * most or (single.decimal == "," and single.sure and single.rows > 0.9 * most)):
+        return Layout("\t", single.decimal, single.header, single.start, 1)
+    if not tried:
+        filled = any(line.strip() for line in lines)
+        reason = f"{name}: no rows of two numbers in {len(lines)} lines" if filled else f"{name} is empty"
+        raise InputError("FILE", reason, "a table with a row for each moment, perhaps with a header")
+    # The score counts rows of one width, so that a wrong separator, which cuts some rows and not others, loses.
+    best = max(tried, key=lambda found: found[0])
+    _require_one_reading(best, tried, lines, name)
+    _, layout = best
+    header, unclear = header_of(lines[skip : layout.start], layout.separator, layout.decimal, layout.width)
+    # Names that do not fit the cells are a sign that a decimal comma was taken for a separator.
+    if unclear:
+        reason = f"{name}, row {layout.start}: {unclear} names above rows of {layout.width} cells"
+        raise InputError("FILE", reason, "as many names as cells; or --columns t=1,x=2 with --skip, or --decimal ,")
+    return replace(layout, header=header)
+
+
+def _announced(line: str) -> str | None:
+    found = re.fullmatch(r'"?sep=(.)"?\s*', line.lstrip("\ufeff"), re.IGNORECASE)
+    return found[1] if found else None
+
+
+def _tried(lines: Sequence[str], separator: str, decimal: str, skip: int) -> tuple[float, Layout] | None:
+    """(how many cells are numbers, less those that are not; the layout), or None."""
+    rows = {
+        i: split(line, separator)
+        for i, line in enumerate(lines)
+        if i >= skip and (separator in line or separator == WHITE) and not is_comment(line)
+    }
+    good: dict[int, float] = {i: q for i, cells in rows.items() if (q := _quality(cells, decimal)) is not None}
+    if not good:
+        return None
+    # The usual number of cells: a footer or a preamble may have others.
+    width = Counter(len(rows[i]) for i in good).most_common(1)[0][0]
+    chosen = [i for i in good if len(rows[i]) == width]
+    share = sum(good[i] for i in chosen) / len(chosen)
+    grouped = any(is_grouped(cell, decimal) for i in chosen for cell in rows[i])
+    order = 1 - 1e-6 * _SEPARATORS.index(separator) if separator in _SEPARATORS else 1
+    # At equal merit a reading without groups of thousands wins. The factors only break ties: ``_require_one_reading``
+    # asks about scores as near as 0.998.
+    score = len(chosen) * share * order * (0.999 if grouped else 1)
+    return score, Layout(separator, decimal, (), _first(rows, chosen, width, decimal), width, grouped)
+
+
+def _first(rows: dict[int, list[str]], chosen: Sequence[int], width: int, decimal: str) -> int:
+    """The first row of the table: a pair of numbers in a preamble is none, one with a cell missing or spoilt is."""
+    known, order = set(chosen), sorted(rows)
+    for i in chosen:
+        following = order[order.index(i) + 1 :][:4]
+        # Half of the next four rows are of the table too, which no line of a preamble has.
+        if 2 * sum(j in known for j in following) >= len(following):
+            break
+    else:
+        i = chosen[0]
+    # Rows just above with one cell spoilt belong to the table, and are told as unreadable.
+    for j in reversed(order[: order.index(i)]):
+        if len(rows[j]) != width or not any(_is_number(c, decimal) for c in rows[j]):
+            break
+        i = j
+    return i
+
+
+def _is_number(cell: str, decimal: str) -> bool:
+    return cell not in MISSING and (is_stamp(cell) or number(cell, decimal, thousands=True) is not None)
+
+
+def _quality(cells: Sequence[str], decimal: str) -> float | None:
+    """The share of numbers among the cells that hold anything, if there are two of them; None for a line of text."""
+    filled = [cell for cell in cells if cell not in MISSING]
+    if len(cells) < 2:
+        return None
+    count = sum(_is_number(c, decimal) for c in filled)
+    return count / len(filled) if count >= 2 else None
+
+
+def _require_one_reading(
+    best: tuple[float, Layout], tried: Sequence[tuple[float, Layout]], lines: Sequence[str], name: str
+) -> None:
+    score, taken = best
+    for other_score, other in tried:
+        # Another mark with the same separator and practically the same score: the cells themselves must agree.
+        if other.decimal == taken.decimal or other_score < 0.998 * score or other.separator != taken.separator:
+            continue
+        for i in range(taken.start, len(lines)):
+            for cell in [] if is_comment(lines[i]) else taken.cells(lines[i]):
+                one, two = (number(cell, d, thousands=True) for d in (taken.decimal, other.decimal))
+                if one is not None and two is not None and one == one and one != two:
+                    reason = f"{name}, row {i + 1}: {cell[:20]!r} may be {one:g} or {two:g}"
+                    raise InputError("FILE", reason, "--decimal . or --decimal , (decimal='.' or decimal=',')")

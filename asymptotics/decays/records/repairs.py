@@ -1,0 +1,132 @@
+"""What stands in a record beside one free decay: spikes, which are left out, and several releases, which are cut apart.
+
+>>> t = np.arange(0, 60, 0.02)
+>>> x = np.exp(-0.05 * t) * np.cos(5 * t)
+>>> x[700] = 9.99
+>>> np.flatnonzero(spikes(x)).tolist()
+[700]
+>>> twice = np.concatenate([x[:1500], np.full(300, 1.1), 1.1 * x[:1500]])
+>>> [(int(p[0]), int(p[-1])) for p in releases(np.arange(len(twice)) * 0.02, twice)]
+[(0, ...), (..., 3299)]
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Places = NDArray[np.intp]
+_FAR, _TALL, _MOST = 20.0, 0.3, 0.02
+"""A spike misses the cubic through its neighbours by so many typical misses and by this share of the motion; where more
+than so many of the samples do, they are no spikes."""
+_A_PERIOD, _LEAST_PERIODS, _MOST_RELEASES = 24, 4, 12
+"""Samples of a period that are looked at; periods of a decay that is worth a run; more releases than this are no
+releases, and the record stays whole."""
+_GROWN, _NOISE, _HELD, _SHAPE = 1.3, 8.0, 0.1, 0.25
+"""A swing larger by this than a period before, and by so many times the noise of an amplitude, was touched; below this
+share of the largest it is held or over, and so it is where a line and a wave leave more than a quarter of its
+amplitude.  Choices, tried on decays, growth, beats and noise, which must stay whole
+(``tests/decays/records/test_repairs.py``)."""
+
+
+def spikes(x: Array) -> NDArray[np.bool_]:
+    """Which samples lie far from the cubic through the two on each side, alone."""
+    found = np.zeros(len(x), dtype=bool)
+    # Of few samples the typical miss is not known.
+    if len(x) < 50:
+        return found
+    # The size of the motion, without its spikes; 100,000 samples know it as well as all.
+    low, high = np.quantile(x[:: max(len(x) // 100_000, 1)], [0.01, 0.99])
+    y = np.array(x, dtype=float)
+    for _ in range(3):  # a spike hides a smaller one beside it
+        size = np.zeros(len(y))
+        # Lagrange's cubic through the neighbours at -2, -1, 1, 2, taken at 0.
+        size[2:-2] = np.abs(y[2:-2] - (4 * (y[1:-3] + y[3:-1]) - y[:-4] - y[4:]) / 6)
+        limit = max(_FAR * float(np.median(size)), _TALL * (high - low) / 2)
+        far = np.flatnonzero((size > limit) & ~found)
+        # A spike spoils the cubics of its neighbours too: only the largest miss is one.
+        largest = size[far] >= np.max([size[(far + k) % len(y)] for k in (-2, -1, 1, 2)], axis=0)
+        # The motion goes on across a spike; at a step or a knock its neighbours differ as much as it does.
+        across = np.abs(y[(far + 1) % len(y)] - y[far - 1]) < size[far] / 2
+        new = far[largest & across]
+        if not len(new):
+            break
+        found[new] = True
+        y[new] = (y[new - 1] + y[new + 1]) / 2
+    # Many are the character of the record, such as 3 samples a period.
+    return found if found.sum() <= max(_MOST * len(x), 1) else np.zeros(len(x), dtype=bool)
+
+
+def releases(t: Array, x: Array) -> list[Places]:
+    """The stretches of free decay where there are several, or one beside a long hold; else one stretch of all."""
+    whole, steps = [np.arange(len(t))], np.diff(t)
+    # Few samples or uneven ones: windows of a period would hold too few of them.
+    if len(t) < 50 or float(np.quantile(steps, 0.9)) > 2 * float(np.median(steps)):
+        return whole
+    period = _period(t, x)
+    per_period = period / float(np.median(steps))
+    # Too few samples, a gap, or too short for two releases: nothing can be told of its swings.
+    if per_period < 8 or float(steps.max()) > period / 2 or (t[-1] - t[0]) / period < 2 * _LEAST_PERIODS:
+        return whole
+    centres, size, rest = _swings(t, x, period, max(int(per_period / _A_PERIOD), 1))
+    if len(size) < 4 * _LEAST_PERIODS:
+        return whole
+    # The error of an amplitude from so many samples; the lower quartile, for touched windows leave more.
+    noise = float(np.quantile(rest, 0.25)) * np.sqrt(2 / _A_PERIOD)
+    top = float(size.max())
+    free = (size > _HELD * top) & (size > _NOISE * noise) & (rest < _SHAPE * size)
+    grown = np.zeros(len(size), dtype=bool)
+    grown[2:] = size[2:] > _GROWN * size[:-2] + _NOISE * noise
+    # Windows overlap by half: the one before a growth and the one before that hold the touch as well.
+    free &= ~(grown | np.roll(grown, -1) | np.roll(grown, -2))
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], free.astype(int), [0]])))
+    parts = [(a, b) for a, b in zip(edges[::2], edges[1::2]) if b - a >= 2 * _LEAST_PERIODS]
+    # One stretch without growth is a decay with a beginning and an end, which the extraction finds.
+    if not 1 <= len(parts) <= _MOST_RELEASES or not (grown.any() or len(parts) > 1):
+        return whole
+    return [np.flatnonzero((t >= start) & (t <= end)) for start, end in _ends(t, centres, size, grown, parts, period)]
+
+
+def _ends(
+    t: Array, centres: Array, size: Array, grown: NDArray[np.bool_], parts: list[tuple[int, int]], period: float
+) -> list[tuple[float, float]]:
+    """From the first window that is free wholly, which swings most, to the last before it is touched again."""
+    first = [a - 3 + int(np.argmax(size[a - 3 : a + 1])) if a > 3 else 0 for a, _ in parts]
+    starts = [float(centres[k] - period / 2) for k in first]
+    if len(parts) == 1 and starts[0] - t[0] < (t[-1] - t[0]) / 2:
+        starts = [float(t[0])]  # a short hold is known by its turning points
+    nexts = [*(a for a, _ in parts[1:]), len(size)]
+    touched = [bool(grown[b:following].any()) for (_, b), following in zip(parts, nexts)]
+    return [
+        (start, float(centres[b - 1] + period / 2) if cut else float(t[-1]))
+        for start, cut, (_, b) in zip(starts, touched, parts)
+    ]
+
+
+def _period(t: Array, x: Array) -> float:
+    """Of the strongest line in the spectrum of the velocity: holds and hands have their power below it."""
+    # A rough period is enough for windows, and 65,536 points know it.
+    count = int(min(2**16, 2 ** int(np.log2(len(t)))))
+    grid = np.linspace(t[0], t[-1], count)
+    slope = np.gradient(np.interp(grid, t, x))
+    power = np.abs(np.fft.rfft(slope * np.hanning(count)))
+    power[:2] = 0
+    k = int(np.argmax(power))
+    return float((t[-1] - t[0]) / k) if power[k] > 0 else 0.0
+
+
+def _swings(t: Array, x: Array, period: float, step: int) -> tuple[Array, Array, Array]:
+    """Amplitudes of the wave in windows of a period, half a period apart; and what a line and the wave leave."""
+    t, x = t[::step], x[::step]
+    centres = np.arange(t[0] + period / 2, t[-1] - period / 2, period / 2)
+    low, high = np.searchsorted(t, centres - period / 2), np.searchsorted(t, centres + period / 2)
+    found = []
+    for centre, a, b in zip(centres, low, high):
+        u = (t[a:b] - centre) / period
+        if b - a < 6:
+            found.append((0.0, 0.0))
+            continue
+        V = np.stack([np.ones(b - a), u, np.cos(2 * np.pi * u), np.sin(2 * np.pi * u)], axis=1)
+        c = np.linalg.lstsq(V, x[a:b], rcond=None)[0]
+        found.append((float(np.hypot(c[2], c[3])), float(np.std(x[a:b] - V @ c))))
+    size, rest = np.array(found).reshape(-1, 2).T
+    return centres, size, rest

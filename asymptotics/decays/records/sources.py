@@ -1,0 +1,209 @@
+"""What a table may come from, opened: its names, its first rows, and a way to read the columns that are wanted."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from itertools import islice
+from math import inf
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from asymptotics.decays.records.body import Body, Unread, read_body
+from asymptotics.decays.records.cells import is_stamp, number, seconds_of_stamp
+from asymptotics.decays.records.formats import FRAMES, SHEETS, frame_of, sheet_lines
+from asymptotics.decays.records.labview import with_clock
+from asymptotics.decays.records.layout import Layout, layout_of
+from asymptotics.decays.records.levels import frequency_in
+from asymptotics.decays.records.lines import is_comment
+from asymptotics.decays.records.rates import rate_in
+from asymptotics.decays.records.text import lines_of, unpacked
+from asymptotics.errors import InputError, require_choice, shown
+
+Array = NDArray[np.float64]
+_HEAD, _LONGEST = 2_000, 100_000
+"""Lines that show the layout, and the longest preamble that is searched for numbers."""
+
+
+@dataclass(frozen=True)
+class How:
+    """What is said of a file: ``columns`` such as ``t=Time (s),x=3``; ``decimal``: ``.`` or ``,``; ``skip``: lines
+    before the table; ``sheet``: its name; ``rate``: samples a second, instead of a column of times."""
+
+    columns: str | None = None
+    decimal: str | None = None
+    skip: int = 0
+    sheet: str | None = None
+    rate: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.decimal is not None:
+            require_choice(self.decimal, "decimal", (".", ","))
+        if isinstance(self.skip, bool) or not isinstance(self.skip, int) or not 0 <= self.skip <= _LONGEST:
+            raise InputError("skip", f"{shown(self.skip)} is no number of lines", f"0 to {_LONGEST}")
+        if self.rate is not None and not (isinstance(self.rate, int | float) and 0 < self.rate < inf):
+            raise InputError("rate", f"{shown(self.rate)} is no rate", "samples a second, a number > 0")
+
+
+@dataclass(frozen=True)
+class Source:
+    """``headed``: whether the names stand in the file; ``read``: the columns at these places; ``sample``: some rows;
+    ``rate``: samples a second, and ``frequency`` in Hz, where the file says them."""
+
+    name: str
+    names: tuple[str, ...]
+    headed: bool
+    read: Callable[[Sequence[int]], Body]
+    sample: Callable[[Sequence[int]], dict[int, Array]]
+    notes: tuple[str, ...] = ()
+    rate: float | None = None
+    frequency: float | None = None
+
+
+def opened(source: Any, how: How) -> Source:
+    """A path, an open file, a data frame or a mapping of columns."""
+    pandas = _pandas()
+    if isinstance(source, pandas.DataFrame):
+        return _of_frame(source, "the data", how)
+    if isinstance(source, Mapping):
+        try:
+            return _of_frame(pandas.DataFrame({str(k): np.asarray(v) for k, v in source.items()}), "the data", how)
+        except ValueError as error:
+            raise InputError("data", str(error), "columns of equal length") from error
+    # Before paths: an open file has a name too. It is read whole, since it may be a pipe, which cannot be read twice.
+    if hasattr(source, "read") and hasattr(source, "readline"):
+        text = source.read()
+        name = Path(str(getattr(source, "name", "the file"))).name
+        return _of_text(text.encode() if isinstance(text, str) else bytes(text), name, how)
+    if not isinstance(source, str | Path):
+        raise InputError("data", f"{shown(source)} is no data", "a file, a data frame, a mapping of columns, (t, x)")
+    path = Path(source)
+    try:
+        # A name with half a surrogate pair cannot be printed in a message either.
+        str(path).encode()
+    except UnicodeEncodeError as error:
+        raise InputError("FILE", f"{str(path)!r} is no file name", "a file of data") from error
+    if path.suffix.lower() in SHEETS + FRAMES and _is_file(path):
+        if path.suffix.lower() in FRAMES:
+            return _of_frame(frame_of(path), path.name, how)
+        lines, told = sheet_lines(path, how.sheet)
+        found = _of_text("\n".join(lines).encode(), path.stem + path.suffix + " (sheet)", how)
+        return replace(found, notes=(*found.notes, *told))
+    if "\0" in str(path):
+        raise InputError("FILE", f"{str(path)!r} is no file name", "a file of data")
+    return _of_text(path, path.name, how)
+
+
+def _is_file(path: Path) -> bool:
+    """Whether it is one; of a name that is too long for the system the reading says what is wrong with it."""
+    try:
+        return path.is_file()
+    except OSError:
+        return False
+
+
+def _pandas() -> Any:
+    try:
+        import pandas  # noqa: PLC0415 (an extra: only tables need it)
+    except ModuleNotFoundError as error:  # any other ImportError is a fault, or want of memory
+        accepted = "an installation with the extra identify: pip install '.[identify]' in a clone"
+        raise InputError("data", "tables are read by pandas, which is not installed", accepted) from error
+    return pandas
+
+
+@contextmanager
+def _lines(source: Path | bytes, name: str) -> Iterator[Iterator[str]]:
+    with unpacked(source, name) as stream:
+        lines = lines_of(stream, name)
+        try:
+            yield with_clock(lines)
+        finally:
+            lines.close()
+
+
+def _of_text(source: Path | bytes, name: str, how: How) -> Source:
+    head, layout = _layout(source, name, how)
+    names = layout.header or tuple(f"column {i + 1}" for i in range(layout.width))
+    rows = [layout.cells(line) for line in head[layout.start :] if not is_comment(line)]
+    rows = [row for row in rows if len(row) == layout.width]
+    # A column of times of day may have a few spoilt cells.
+    stamps = [i for i in range(layout.width) if sum(is_stamp(row[i]) for row in rows) > 0.5 * len(rows)]
+
+    def read(wanted: Sequence[int]) -> Body:
+        with _lines(source, name) as lines:
+            return read_body(lines, layout, wanted, stamps)
+
+    def sample(wanted: Sequence[int]) -> dict[int, Array]:
+        def value(cell: str, place: int) -> float:
+            found = seconds_of_stamp(cell) if place in stamps else number(cell, layout.decimal)
+            return np.nan if found is None else found
+
+        return {c: np.array([value(row[c], c) for row in rows]) for c in wanted}
+
+    # A reading that another program would not share is told.
+    told = [f"decimal comma, cells separated by {layout.separator!r}"] if layout.decimal == "," else []
+    above = head[: layout.start]
+    told += ["a comma or point groups thousands"] if layout.thousands else []
+    return Source(name, names, bool(layout.header), read, sample, tuple(told), rate_in(above), frequency_in(above))
+
+
+def _layout(source: Path | bytes, name: str, how: How) -> tuple[list[str], Layout]:
+    """The first lines and their layout; a preamble that is longer than them is passed."""
+    with _lines(source, name) as lines:
+        head = list(islice(lines, how.skip + _HEAD))
+        while True:
+            try:
+                return head, layout_of(head, name, decimal=how.decimal, skip=how.skip)
+            except InputError:
+                # The refusal may be due to a long preamble: more lines are looked at, up to _LONGEST, and then the last
+                # refusal stands.
+                more = list(islice(lines, 10 * _HEAD))
+                if not more or len(head) > _LONGEST or any("\0" in line for line in more):
+                    raise
+                head += more
+
+
+def _of_frame(frame: Any, name: str, how: How) -> Source:
+    names = tuple(str(c).strip() for c in frame.columns)
+    # pandas numbers columns that have no names.
+    headed = not all(isinstance(c, int) for c in frame.columns) and not all(n.startswith("column ") for n in names)
+    if not headed:
+        names = tuple(f"column {i + 1}" for i in range(len(names)))
+
+    def read(wanted: Sequence[int]) -> Body:
+        unread = Unread()
+        columns = {c: _numbers(frame.iloc[:, c], c, unread, how.decimal or ".") for c in wanted}
+        return Body(columns, np.arange(len(frame)), unread)
+
+    rate = frame.attrs.get("rate") if isinstance(frame.attrs, dict) else None
+    return Source(name, names, headed, read, lambda wanted: read(wanted).columns, rate=rate)
+
+
+def _numbers(column: Any, place: int, unread: Unread, decimal: str) -> Array:
+    kind = column.dtype.kind
+    if kind in "fiu":
+        return np.asarray(column.to_numpy(dtype=float, na_value=np.nan))
+    # Dates as seconds since the first, for nanoseconds since 1970 have no room in a double.
+    if kind in "Mm":
+        pandas = _pandas()
+        start = column.iloc[0] if len(column) else 0
+        return np.asarray(
+            (pandas.to_timedelta(column - start) if kind == "M" else column).dt.total_seconds(), dtype=float
+        )
+    found = np.full(len(column), np.nan)
+    for i, cell in enumerate(column.tolist()):
+        if cell is None or cell != cell:
+            continue
+        if isinstance(cell, int | float | np.integer | np.floating) and not isinstance(cell, bool):
+            found[i] = float(cell)
+            continue
+        value = number(cell, decimal) if isinstance(cell, str) else None
+        if isinstance(cell, str) and is_stamp(cell):
+            value = seconds_of_stamp(cell)
+        if value is None:
+            unread.add(i, place, str(cell)[:60])
+        else:
+            found[i] = value
+    return found

@@ -1,0 +1,87 @@
+"""Samples that are thinned, cut and required, step by step."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from asymptotics.decays.identification.measuring import sampled
+from asymptotics.decays.identification.measuring.sampled import _free, _require_line, _thinned, _thinning
+from asymptotics.errors import InputError
+
+
+@pytest.mark.parametrize("step", [2, 5, 9])
+def test_means_of_groups_keep_the_wave_they_average(step):
+    """|sin(w)/w| of a group is divided out: about the level, at the middle of the group; what is over is dropped."""
+    omega, t = 1.3, np.arange(0, 60, 0.1)[: 60 * step + step // 2]
+    x = 7.0 + np.cos(omega * t + 0.4)
+    times, values = _thinned(t, x, omega, step)
+    assert len(times) == len(t) // step and times == pytest.approx(
+        t[: len(times) * step].reshape(-1, step).mean(axis=1)
+    )
+    level = np.median(x[: len(times) * step])
+    smaller = np.abs(np.sin(omega * step * 0.05) / np.sin(omega * 0.05) / step)
+    assert values == pytest.approx(level + (7.0 - level) / smaller + np.cos(omega * times + 0.4), abs=1e-12)
+
+
+def test_a_group_that_averages_its_wave_away_is_divided_by_a_tenth():
+    t = np.arange(40) * np.pi / 2
+    _, values = _thinned(t, np.ones(40) + (np.arange(40) % 4 == 0), 1.0, 4)
+    assert values == pytest.approx(np.full(10, 1 + 0.25 / 0.1))
+
+
+@pytest.mark.parametrize(
+    ("count", "per_period", "step"),
+    [
+        (12_000, 47, 1),
+        (12_000, 48, 2),
+        (17_999, 100, 2),
+        (54_000, 40, 3),
+        (54_000, 1000, 9),
+        (5_999, 1000, 1),
+        (180_000, 20, 9),
+    ],
+)
+def test_so_many_samples_are_one_mean_as_leave_enough(count, per_period, step):
+    """6000 samples, 24 of a period; in the end 20000 at most."""
+    assert (sampled.ENOUGH, sampled._A_PERIOD, sampled.MAX_SAMPLES) == (6_000, 24, 20_000)
+    assert _thinning(np.arange(float(count)), per_period + 1e-6) == step
+
+
+def line(size, noise=0.0, omega=1.0):
+    return SimpleNamespace(at=lambda _: (np.asarray(size, dtype=float),), noise=noise, omega=omega)
+
+
+T = np.arange(10.0)
+
+
+@pytest.mark.parametrize(
+    ("first", "cut"), [([1.0, 1.04, 1.0], 0), ([1.0, 1.06, 1.0], 1), ([0.2, 0.5, 0.9, 2.0], 3), ([0.1] * 5 + [2.0], 0)]
+)
+def test_a_free_decay_begins_with_its_largest_swing_if_that_is_early_and_larger(first, cut):
+    size = np.array([*first, *np.linspace(0.9, 0.5, 10 - len(first))])
+    assert _free(line(size), T).tolist() == [k >= cut for k in range(10)]
+
+
+def test_a_free_decay_ends_where_noise_hides_it():
+    size = np.linspace(1.0, 0.1, 10)
+    for hidden in (4, 7):
+        noise = (size[hidden] + size[hidden - 1]) / 2 / sampled._HIDDEN
+        assert _free(line(size, noise), T).tolist() == [k < hidden for k in range(10)]
+    assert _free(line(size, 0.09 / sampled._HIDDEN), T).all()
+
+
+def test_a_line_needs_samples_periods_and_a_size():
+    t = np.linspace(0, 40, 200)
+    _require_line(line(np.ones(200), 0.01), t, "r")
+    few = np.linspace(0, 40, sampled.LEAST_SAMPLES - 1)
+    for given, reason in (
+        ((line(np.ones(9), 0.01), few), f"{len(few)} samples"),
+        ((line(np.ones(200), 0.01, omega=40.0), t), "a period"),
+        ((line(np.ones(200), 0.01, omega=2 * np.pi * 1.49 / 40), t), "1.5 periods"),
+        ((line(np.ones(200), sampled._LOUD * 1.01), t), "no oscillation above its noise"),
+    ):
+        with pytest.raises(InputError, match=reason):
+            _require_line(*given, "r")
+    _require_line(line(np.ones(200), 0.01, omega=2 * np.pi * 1.51 / 40), t, "r")
+    _require_line(line(np.ones(200), sampled._LOUD * 0.99), t, "r")

@@ -1,0 +1,39 @@
+"""Peaks of one side with times are turning points of even number; a sampled swing of that name is none."""
+
+import numpy as np
+
+import asymptotics as asy
+from asymptotics.decays.identification.synthetic import exact
+from asymptotics.decays.records.table import read_table
+
+RUN = exact("1", [0.02], 60)
+T, X = RUN.tau[::2], np.exp(RUN.a[::2])
+NOISE = 1e-3 * np.random.default_rng(3).standard_normal(len(T))
+
+
+def test_peaks_of_one_side_give_the_strength():
+    answer = asy.identify({"t": T, "amplitude": X + NOISE}, laws=["1", "2", "1+2"])
+    assert answer.verdict.text.startswith("identified: 1,") and answer.law("1").law.epsilon[0].contains(0.02)
+    assert any("31 peaks of one side" in note for note in answer.notes)
+    # Near miss: read as turning points of both sides they would have half the loss.
+    both = asy.identify({"n": np.arange(31), "x": X + NOISE, "tau": T}, laws=["1"])
+    assert not both.law("1").law.epsilon[0].contains(0.02)
+
+
+def test_a_missed_peak_is_a_gap():
+    table = read_table({"t": np.delete(T, 4), "peak (m)": np.delete(X, 4)})
+    assert table.kind == "turning-points" and table.columns["n"][:6].tolist() == [0, 2, 4, 6, 10, 12]
+
+
+def test_a_sampled_swing_stays_a_record_and_an_envelope_of_many_samples_is_one():
+    t = np.arange(0, 60, 0.05)
+    assert read_table({"t": t, "amplitude": np.exp(-0.05 * t) * np.cos(t)}).kind == "record"
+    assert read_table({"t": t, "amplitude": 5 + np.exp(-0.05 * t) * np.cos(t)}).kind == "record"
+    assert read_table({"t": t, "amplitude": np.exp(-0.05 * t)}).kind == "envelope"
+    assert read_table({"t": T, "amplitude": X}, kind="record").kind == "record"
+
+
+def test_peak_to_peak_is_halved():
+    answer = asy.identify({"t": T, "peak-to-peak (m)": 2 * (X + NOISE)}, laws=["1"], bootstrap=False)
+    assert abs(answer.runs[0].x[0]) < 1.01 and answer.law("1").law.epsilon[0].contains(0.02)
+    assert any("half of it" in note for note in answer.notes)
