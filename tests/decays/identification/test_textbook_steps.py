@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from asymptotics.identification import textbook
-from asymptotics.identification.forward.candidates import read_candidate as read
-from asymptotics.identification.forward.quadrature import TooStrongError
-from asymptotics.identification.judging.single_fits import fit_law
-from asymptotics.identification.measuring.observations import Observations
-from asymptotics.identification.synthetic import exact, observed
-from asymptotics.identification.textbook import systematic_error, textbook_estimates
+from asymptotics.decays.identification import textbook
+from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.forward.quadrature import TooStrongError
+from asymptotics.decays.identification.judging.single_fits import fit_law
+from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.synthetic import exact, observed
+from asymptotics.decays.identification.textbook import systematic_error, textbook_estimates
 
 N = np.arange(12)
 SIGN = (-1.0) ** N

@@ -8,12 +8,11 @@ import pytest
 from flint import arb, fmpq
 from scipy.optimize import linprog
 
-from asymptotics.errors import UndecidedError
-from asymptotics.identification.certified_sets import central_point, physical, table_rows
-from asymptotics.identification.certified_sets.central_point import chebyshev_point
-from asymptotics.identification.certified_sets.certified_ratio import CertifiedRatio
-from asymptotics.identification.certified_sets.physical import _largest, _shrunk, physical_box
-from asymptotics.identification.certified_sets.table_rows import (
+from asymptotics.decays.identification.certified_sets import central_point, physical, table_rows
+from asymptotics.decays.identification.certified_sets.central_point import chebyshev_point
+from asymptotics.decays.identification.certified_sets.certified_ratio import CertifiedRatio
+from asymptotics.decays.identification.certified_sets.physical import _largest, _shrunk, physical_box
+from asymptotics.decays.identification.certified_sets.table_rows import (
     RatioInequality,
     _lower_bound,
     bounds,
@@ -21,9 +20,10 @@ from asymptotics.identification.certified_sets.table_rows import (
     exact,
     is_empty,
 )
-from asymptotics.identification.fitting.printed import Decrements
-from asymptotics.identification.forward.candidates import read_candidate as read
-from asymptotics.identification.forward.quadrature import TooStrongError
+from asymptotics.decays.identification.fitting.printed import Decrements
+from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.forward.quadrature import TooStrongError
+from asymptotics.errors import UndecidedError
 from asymptotics.numbers.context import ctx
 from asymptotics.terms import Term
 

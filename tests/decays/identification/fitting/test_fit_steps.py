@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asymptotics.identification.fitting import least_squares
-from asymptotics.identification.fitting.least_squares import Fit, Noise, fit, likely_scales, minimise
-from asymptotics.identification.forward.quadrature import TooStrongError
+from asymptotics.decays.identification.fitting import least_squares
+from asymptotics.decays.identification.fitting.least_squares import Fit, Noise, fit, likely_scales, minimise
+from asymptotics.decays.identification.forward.quadrature import TooStrongError
 
 X = np.array([0.0, 1.0, 2.0, 3.0, 5.0, 8.0])
 

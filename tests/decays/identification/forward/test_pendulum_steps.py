@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from scipy.special import ellipk
 
-from asymptotics.identification.forward import pendulum
-from asymptotics.identification.forward.coefficients import loss
-from asymptotics.identification.forward.pendulum import HIGHEST, PendulumHalfSwing, angle, well
-from asymptotics.identification.forward.quadrature import TooStrongError, integrated_swings
-from asymptotics.identification.forward.swing import HalfSwingModel
+from asymptotics.decays.identification.forward import pendulum
+from asymptotics.decays.identification.forward.coefficients import loss
+from asymptotics.decays.identification.forward.pendulum import HIGHEST, PendulumHalfSwing, angle, well
+from asymptotics.decays.identification.forward.quadrature import TooStrongError, integrated_swings
+from asymptotics.decays.identification.forward.swing import HalfSwingModel
 
 
 def k2(amplitude):

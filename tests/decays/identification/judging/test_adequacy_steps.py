@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.stats import f
 
-from asymptotics.identification.fitting.least_squares import Noise
-from asymptotics.identification.judging import adequacy
-from asymptotics.identification.judging.adequacy import adequate, noise_levels, smooth_noise, strongest_line
+from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.judging import adequacy
+from asymptotics.decays.identification.judging.adequacy import adequate, noise_levels, smooth_noise, strongest_line
 
 N = np.arange(40)
 RANDOM = np.random.default_rng(12).standard_normal(40)

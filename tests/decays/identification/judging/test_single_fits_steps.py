@@ -6,15 +6,15 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asymptotics.identification.fitting.least_squares import Noise
-from asymptotics.identification.fitting.printed import Decrements
-from asymptotics.identification.forward.candidates import read_candidate as read
-from asymptotics.identification.forward.quadrature import TooStrongError
-from asymptotics.identification.judging import prediction, single_fits
-from asymptotics.identification.judging.prediction import predicted_error
-from asymptotics.identification.judging.single_fits import embedded, fit_decrements, fit_law
-from asymptotics.identification.measuring.observations import Observations
-from asymptotics.identification.synthetic import exact, observed
+from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.fitting.printed import Decrements
+from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.forward.quadrature import TooStrongError
+from asymptotics.decays.identification.judging import prediction, single_fits
+from asymptotics.decays.identification.judging.prediction import predicted_error
+from asymptotics.decays.identification.judging.single_fits import embedded, fit_decrements, fit_law
+from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.synthetic import exact, observed
 
 
 def decay(count):

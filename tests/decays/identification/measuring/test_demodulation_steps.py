@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asymptotics.identification.measuring import demodulation
-from asymptotics.identification.measuring.demodulation import SpectralLine, demodulated
+from asymptotics.decays.identification.measuring import demodulation
+from asymptotics.decays.identification.measuring.demodulation import SpectralLine, demodulated
 
 T = np.linspace(2.0, 42.0, 401)
 OMEGA = 1.5

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from asymptotics.identification.measuring import second_mode
-from asymptotics.identification.measuring.demodulation import SpectralLine
+from asymptotics.decays.identification.measuring import second_mode
+from asymptotics.decays.identification.measuring.demodulation import SpectralLine
 
 T = 3.0 + np.arange(0, 100, 0.1)
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from asymptotics.identification.measuring import main_frequency as frequency
-from asymptotics.identification.measuring.main_frequency import dominant_period, main_frequency
-from asymptotics.identification.measuring.quiet_times import _fitted, _smooth_size, quiet_times
+from asymptotics.decays.identification.measuring import main_frequency as frequency
+from asymptotics.decays.identification.measuring.main_frequency import dominant_period, main_frequency
+from asymptotics.decays.identification.measuring.quiet_times import _fitted, _smooth_size, quiet_times
 
 N = np.arange(30.0)
 

@@ -154,7 +154,7 @@ def left_of(law, share=0.05):
 def test_what_a_refuted_law_leaves_is_shaded_from_its_decrement_to_the_measured_one(axes, pair):
     plots._draw_left(axes, left_of(pair[0]))
     (band,) = axes.collections
-    assert band.get_label() == "left unexplained: 5 % of the loss"
+    assert band.get_label() == "measured: 1 is 5 % off on average"
     e = pair[0].fit.theta[1]
     q = np.exp(-np.pi * e / 2 / np.sqrt(1 - e * e / 4))
     corners = band.get_paths()[0].vertices
@@ -171,7 +171,7 @@ def test_nothing_is_shaded_where_nothing_is_left(axes, pair):
         plots._draw_left(axes, law)
         assert not axes.collections
     plots.draw_decrements(axes, [one, pair[1]], "")  # the first law's alone
-    assert names(axes) == ["measured", "1", "1+2", "left unexplained: 5 % of the loss"]
+    assert names(axes) == ["measured", "1", "1+2", "measured: 1 is 5 % off on average"]
     axes.clear()
     plots.draw_decrements(axes, [pair[1], one], "")
     assert names(axes) == ["measured", "1+2", "1"]

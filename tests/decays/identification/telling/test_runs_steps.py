@@ -7,14 +7,14 @@ import pytest
 from scipy.stats import chi2, norm
 from scipy.stats import t as student
 
-from asymptotics.identification.fitting.profile import Interval
-from asymptotics.identification.forward.candidates import read_candidate as read
-from asymptotics.identification.judging.allowance import Allowance
-from asymptotics.identification.judging.contradiction import REFUTED, Contradiction
-from asymptotics.identification.telling import runs
-from asymptotics.identification.telling.runs import common, mean_of_runs, verdict_of_runs
-from asymptotics.identification.telling.verdicts import IDENTIFIED, NONE, SEVERAL, UNDECIDED, UNTOLD, Verdict
-from tests.identification.small_laws import BELOW, SURE, fit, law
+from asymptotics.decays.identification.fitting.profile import Interval
+from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.judging.allowance import Allowance
+from asymptotics.decays.identification.judging.contradiction import REFUTED, Contradiction
+from asymptotics.decays.identification.telling import runs
+from asymptotics.decays.identification.telling.runs import common, mean_of_runs, verdict_of_runs
+from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, NONE, SEVERAL, UNDECIDED, UNTOLD, Verdict
+from tests.decays.identification.small_laws import BELOW, SURE, fit, law
 
 
 def test_runs_that_agree_have_the_error_within_them():
@@ -150,7 +150,7 @@ def told(found):
 def test_while_one_run_is_undecided_all_are(chosen):
     chosen.laws = [law(t, fit()) for t in ("1", "2")]
     found = verdict_of_runs(said(IDENTIFIED, UNDECIDED, NONE), [])
-    text = "the time was over before all laws were judged in 1 of 3 runs; best: 1; 2"
+    text = "the limit of work or time was reached before all laws were judged in 1 of 3 runs; best: 1; 2"
     assert told(found) == (UNDECIDED, f"{UNDECIDED}: {text}") and "max_seconds" in found.telling
     chosen.laws = []
     assert verdict_of_runs(said(UNDECIDED), []).text.endswith("in 1 of 1 runs")
@@ -202,12 +202,16 @@ def test_without_a_loss_that_shows_runs_tell_nothing_unless_they_differ(chosen):
 @pytest.mark.parametrize(
     ("count", "kind", "text"),
     [
-        (0, NONE, f"{NONE}: no law is consistent with all 2 runs together"),
+        (0, UNTOLD, f"{UNTOLD} to tell: the 2 runs together determine no law"),
         (2, SEVERAL, f"{SEVERAL} with 2 runs: 0; 1"),
         (3, SEVERAL, f"{SEVERAL} with 2 runs: 0; 1; 2"),
         (4, UNTOLD, f"{UNTOLD} to tell 4 laws apart: 0; 1; 2; 3"),
     ],
 )
 def test_several_laws_or_none(chosen, count, kind, text):
+    refuted = [law("5", fit(), verdict="refuted")]
+    if not count:
+        found = verdict_of_runs(said(IDENTIFIED, UNTOLD), refuted)
+        assert told(found) == (NONE, f"{NONE}: no law is consistent with all 2 runs together")
     chosen.laws = [law(str(n), fit()) for n in range(count)]
     assert told(verdict_of_runs(said(IDENTIFIED, UNTOLD), [])) == (kind, text)

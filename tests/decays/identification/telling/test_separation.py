@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from asymptotics.identification.fitting.least_squares import Noise
-from asymptotics.identification.forward.candidates import read_candidate as read
-from asymptotics.identification.judging.laws import UNTRIED
-from asymptotics.identification.judging.single_fits import fit_law
-from asymptotics.identification.synthetic import exact, observed
-from asymptotics.identification.telling import verdicts
-from asymptotics.identification.telling.verdicts import UNDECIDED, separation, undecided
-from tests.identification.small_laws import law
+from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.judging.laws import UNTRIED
+from asymptotics.decays.identification.judging.single_fits import fit_law
+from asymptotics.decays.identification.synthetic import exact, observed
+from asymptotics.decays.identification.telling import verdicts
+from asymptotics.decays.identification.telling.verdicts import UNDECIDED, separation, undecided
+from tests.decays.identification.small_laws import law
 
 SEEN = observed("2", [0.1], 20, 1e-3, seed=5, x0=2.0)
 
