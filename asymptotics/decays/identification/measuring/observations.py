@@ -21,7 +21,8 @@ Indices = NDArray[np.intp]
 @dataclass(frozen=True, eq=False)
 class Samples(Alike):
     """The motion as it was sampled, or a ``derivative`` of it; ``noise`` about a smooth line, with its degrees of
-    ``freedom``, and its ``memory``, the correlation of neighbours."""
+    ``freedom``, and its ``memory``, the correlation of neighbours; ``mode``: where the fit of a second mode begins, its
+    cosine and sine at the first sample, its frequency and its rate of decay (empty: there is none)."""
 
     t: Array
     x: Array
@@ -29,6 +30,7 @@ class Samples(Alike):
     freedom: float
     memory: float = 0.0
     derivative: int = 0
+    mode: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
