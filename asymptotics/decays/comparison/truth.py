@@ -11,6 +11,7 @@ Whether they are certified is what the routes themselves say: one value that is 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Any
 
 from flint import arb
 
@@ -19,8 +20,8 @@ from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.dense import State
 from asymptotics.law import Oscillator
+from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.reference import reference_motion, reference_states
-from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.digits import ball_of
@@ -69,7 +70,7 @@ def at_turning_points(
     raise UndecidedError(f"a value in SI is not decided to {digits} digits: {reason}")
 
 
-def _kick(oscillator: Oscillator) -> dict[str, ExactReal]:
+def _kick(oscillator: Oscillator) -> dict[str, Any]:
     """The start in units of its radius, for one in motion."""
     return {} if oscillator.v0.is_zero else dict(zip(("x0", "v0"), unit_start(oscillator)))
 
