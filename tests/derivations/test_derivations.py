@@ -87,6 +87,13 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("smith_not_elementary", "(y - u / y) * Derivative(f, y)", "(y + u / y) * Derivative(f, y)"),
     ("smith_not_elementary", "exp(2 * j * u) * inside**-j", "exp(2 * j * u) * inside**j"),
     ("smith_not_elementary", "k: -2 * E * gamma**2", "k: 2 * E * gamma**2"),
+    ("smith_motion_not_elementary", "(path + half - rate**2)", "(path - half - rate**2)"),
+    ("smith_motion_not_elementary", "    y**2 - half + k * theta,", "    y**2 + half + k * theta,"),
+    (
+        "smith_motion_not_elementary",
+        "Derivative(2 * Theta * Derivative(U, t), s)",
+        "Derivative(Theta * Derivative(U, t), s)",
+    ),
     ("smith_matching", "r_next * (exp(2 * r_next) - exp", "2 * r_next * (exp(2 * r_next) - exp"),
     ("smith_quadrature", "+ 4 * omega**2 * E", "+ 3 * omega**2 * E"),
     ("smith_quadrature", "V / 2 - omega**2 / (2 * gamma)", "V / 2 - omega**2 / (4 * gamma)"),
