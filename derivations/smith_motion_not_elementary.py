@@ -52,8 +52,9 @@ step(
 )
 step("and with theta alone it has u'", Derivative(exp(2 * path), t) / exp(2 * path) / 2, rate)
 step(
-    "If u is elementary, u and theta are in L_n.  Let L_i be the first field over which both are algebraic.  The form"
-    " dtheta/theta - 2 du over K has the derivative 0, as theta' = 2 u' theta:",
+    "Let u be elementary: in a field L_n, from C(t) = L_0 on each L_i got from the one before by one T, algebraic, e^a"
+    " or ln a.  So is theta.  Let L_i be the first over which both are algebraic, K the algebraic closure of the one"
+    " before.  The form dtheta/theta - 2 du over K has the derivative 0, as theta' = 2 u' theta:",
     At(
         Derivative(Derivative(Theta, s) / Theta - 2 * Derivative(U, s), t),
         {
@@ -96,7 +97,7 @@ step(
 )
 step(
     "T = ln a, w = dT: dtheta/theta = d(2 u + c T), so theta is algebraic over K, and with it u' = theta'/(2 theta),"
-    " and u = u'^2 - 1/2 + k theta: again L_i was not the first.  The sum 2 u + c T has the differential",
+    " and u = u'^2 - 1/2 + k theta: again L_i was not the first.  2 u + c T has the differential",
     Derivative(2 * U + c * T, s),
     2 * Derivative(U, s) + c * Derivative(T, s),
 )
