@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 LAWS = (("1",), ("2",), ("1", "2"), ("0", "1"), ("0", "2"))
 CLASSES = (
     "turning points", "plain", "sparse", "uneven", "velocity", "acceleration", "coloured", "quantised", "jitter",
-    "drift", "cubic spring", "pendulum",
+    "drift", "cubic spring", "pendulum", "strong", "short", "unquiet tail",
 )  # fmt: skip
 SEED = 20261123_21
 
@@ -98,9 +98,11 @@ def decay(kind: str, index: int, seed: int = SEED) -> Decay:
     law = LAWS[index % len(LAWS)]
     swings, omega = int(random.integers(24, 70)), float(np.exp(random.uniform(-0.7, 2.3)))
     start = float(np.radians(random.uniform(5, 80))) if kind == "pendulum" else float(10 ** random.uniform(-1.5, 1.5))
+    if kind in ("strong", "short"):
+        swings = int(random.integers(9, 20))
     share = float(random.uniform(0.3, 0.7))
     parts = (share, 1 - share) if len(law) == 2 else (1.0,)
-    depth = float(random.uniform(0.6, 1.4)) * (0.6 if "0" in law else 1.0)
+    depth = float(random.uniform(0.6, 1.4)) * (0.6 if "0" in law else 1.0) * (2.0 if kind == "strong" else 1.0)
     alphas = [float(a) for a in law]
     losses = [(a, depth * p / (fall(a) * swings) * start ** (1 - a)) for a, p in zip(alphas, parts)]
     cubic = float(random.uniform(0.02, 0.15)) / start**2 if kind == "cubic spring" else 0.0
@@ -148,6 +150,12 @@ def _spoiled(kind: str, values: Array, noise: float, size: float, random: np.ran
     if kind in ("drift", "velocity", "acceleration"):
         low, high = random.uniform(-0.2, 0.2, 2) * size
         spoiled = spoiled + np.linspace(low, high, len(values))
+    if kind == "unquiet tail":
+        # A slow disturbance that begins late, as of a draught, 2 to 5 % of the first amplitude.
+        u = np.linspace(0.0, 1.0, len(values))
+        late = 1 / (1 + np.exp(-(u - random.uniform(0.6, 0.8)) * 40))
+        size_late, turns = random.uniform(0.02, 0.05) * size, random.uniform(1, 3)
+        spoiled = spoiled + late * size_late * np.sin(2 * np.pi * turns * u + random.uniform(0, 6))
     if kind == "quantised":
         step = float(random.uniform(0.003, 0.02)) * size
         spoiled = np.round(spoiled / step) * step

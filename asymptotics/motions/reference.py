@@ -44,7 +44,7 @@ from asymptotics.flow.wells.trapping_regions import require_inside
 from asymptotics.law import Oscillator
 from asymptotics.motions import coulomb, linear, quadratic
 from asymptotics.motions.certify import certified_values, half_unit, time_of
-from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.state_route import StateRoute
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball

@@ -27,6 +27,7 @@ from flint import arb, fmpq
 
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.context import ctx, inside
+from asymptotics.numbers.quantities import unit_behind
 from asymptotics.present.shown import Page, Shown
 
 # Long enough for any number that is typed, far beyond the doubles, and short enough to be read at once; no repetition
@@ -142,7 +143,9 @@ class ExactReal(Shown):
         """The sign of self - other, whatever the two roots."""
         y = _exact(other)
         if y.is_rational:
-            return (self - y).sign
+            # Most numbers that are compared are rational: no difference of them has to be made.
+            a, b = self.coefficient, y.coefficient
+            return (a > b) - (a < b) if self.is_rational else (self - y).sign
         rest = self - y.offset  # against the root of y: by signs, else by squares
         root = _sign(y.coefficient)
         # The signs are -1, 0, 1 and that of y's root is not 0: their difference has the sign of self - other.
@@ -320,8 +323,10 @@ def parse_printed(text: str, argument: str) -> Fraction:
 def _fraction(text: str, argument: str, accepted: str, form: re.Pattern[str]) -> Fraction:
     stripped = text.strip()
     if len(stripped) > 1000 or not form.match(stripped):
-        comma = ": it has a comma, and decimals have a point" if "," in stripped else ""
-        raise InputError(argument, f"{_shown(text)} is not an exact number{comma}", accepted)
+        why = ": it has a comma, and decimals have a point" if "," in stripped else ""
+        unit = unit_behind(stripped) if len(stripped) <= 100 else ""
+        why += f": it has the unit {unit}, which is no part of this number" if unit else ""
+        raise InputError(argument, f"{_shown(text)} is not an exact number{why}", accepted)
     number, _, denominator = stripped.partition("/")
     if denominator and not int(denominator):
         raise InputError(argument, f"{_shown(text)} has a zero denominator", accepted)

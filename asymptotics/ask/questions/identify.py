@@ -10,6 +10,7 @@ from typing import Annotated, Any
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, POSITIVE, SECONDS, TEXT, Kind, Option, whole
 from asymptotics.ask.question import question
+from asymptotics.decays.identification.examples import EXAMPLES, example
 from asymptotics.decays.identification.forward.work import PATIENCE
 from asymptotics.decays.identification.identify import identified
 from asymptotics.decays.identification.telling.html_report import html_report
@@ -59,7 +60,25 @@ def _runs(data: Any, name: str, x: Any = None) -> Any:
     return tuple(columns.values())
 
 
-RUNS = Kind("FILE", _runs, place=True, several=True, words=True, schema={"type": "string"}, beside=("x",))
+def _files(options: argparse.Namespace) -> list[str]:
+    """The files, or the one of an example."""
+    if options.example is None:
+        if not options.data:
+            raise InputError("FILE", "is missing", f"a file of data; to try it, --example {', '.join(EXAMPLES)}")
+        return list(options.data)
+    if options.data:
+        raise InputError("--example", "cannot be combined with FILE", "either")
+    return [str(example(options.example))]
+
+
+_FILES = "a table of any layout, xlsx, parquet, npz, mat; several: several runs"
+RUNS = Kind(
+    "FILE", _runs, words=True, schema={"type": "string"}, beside=("x",), assemble=_files,
+    options=(
+        Option("data", "FILE", _FILES, place=True, several=True),
+        Option("example", "NAME", f"a file of this program: {', '.join(EXAMPLES)}", _DATA, words=tuple(EXAMPLES)),
+    ),
+)  # fmt: skip
 BESIDE = Kind("", lambda value, _: value, words=True, in_shell=False)
 KIND = TEXT.called(letter="KIND", group=_DATA, told=f": {', '.join(KINDS)}; default: found from the columns")
 UNIT = TEXT.called(letter="U", group=_DATA, told=f": {', '.join(UNITS)}; with milliseconds: mm,ms")
@@ -81,7 +100,7 @@ def _page(found: Identification, request: Request) -> str:
     # The page is to be checked against its data years later: names change, digests do not.
     files = {name: f"SHA-256 {sha256(Path(name).read_bytes()).hexdigest()}" for name in request["data"]}
     names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise columns decimal sheet rate"
-    given = {name: request.typed(name) for name in (*names.split(), "no_bootstrap")}
+    given = {name: request.typed(name) for name in (*names.split(), "modes", "no_bootstrap")}
     chosen = "; ".join(f"{n}: {' '.join(v) if isinstance(v, list) else v}" for n, v in given.items() if v)
     date = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
     return html_report(found, {**files, "options": chosen or "none", "date": date})
@@ -126,6 +145,7 @@ def identify(
     omega_0: Annotated[Number | None, POSITIVE.called(letter="W", option="omega0", group=_LAW)] = None,
     noise: Annotated[Number | None, POSITIVE.called(letter="S", group=_DATA)] = None,
     bootstrap: Annotated[bool, BOOTSTRAP] = True,
+    modes: Annotated[int, whole(1, 2).called(group=_DATA)] = 1,
     max_seconds: Annotated[Number, SECONDS.called(default=str(PATIENCE))] = PATIENCE,
 ) -> Identification:
     """Which damping law is it?  From a measured decay to exponents, strengths and honest intervals.
@@ -180,6 +200,8 @@ def identify(
         standard deviation of x, if known
     bootstrap
         whether the intervals of correlated residuals are lengthened
+    modes
+        2: the strongest further line of the samples is fitted beside the motion
     max_seconds
         the time the request may take, in seconds
 
@@ -211,5 +233,5 @@ def identify(
     return identified(
         data, kind=kind, unit=unit, laws=laws, springs=springs, amplitudes=amplitudes, amplitudes_only=amplitudes_only,
         mass=mass, stiffness=stiffness, omega_0=omega_0, noise=noise, bootstrap=bootstrap,
-        how=How(columns, decimal, skip, sheet, None if rate is None else float(rate)),
+        how=How(columns, decimal, skip, sheet, None if rate is None else float(rate)), modes=modes,
     )  # fmt: skip

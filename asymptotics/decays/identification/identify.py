@@ -19,6 +19,7 @@ from asymptotics.decays.identification.fitting.correlation import block_length
 from asymptotics.decays.identification.fitting.least_squares import Noise
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.fitting.profile import coordinate, wald_interval
+from asymptotics.decays.identification.fitting.waveform import WaveformModel
 from asymptotics.decays.identification.forward.candidates import (
     Candidate,
     default_candidates,
@@ -70,18 +71,21 @@ def identified(
     noise: float | None = None,
     bootstrap: bool = True,
     how: How = How(),  # noqa: B008 (immutable)
+    modes: int = 1,
 ) -> Identification:
-    """What ``asymptotics.identify`` answers, of values that were read; ``how`` a file is read."""
+    """What ``asymptotics.identify`` answers, of values that were read; ``how`` a file is read; ``modes``: 1 or 2."""
     sources = _sources(data)
     if not 1 <= len(sources) <= MAX_RUNS:
         raise InputError("data", f"{len(sources)} runs", f"1 to {MAX_RUNS} runs")
     _candidates(laws, springs, times=True, angles=True)  # a law that cannot be read is refused before the work
     tick("the reading of the data")
-    runs = [_in_range(run, amplitudes) for source in sources for run in load(source, kind, unit, how)]
+    omega = _omega(mass, stiffness, omega_0)
+    runs = [_in_range(run, amplitudes) for source in sources for run in load(source, kind, unit, how, omega, modes)]
     units = {run.unit for run in runs}
     if len(units) > 1:
         raise InputError("unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
-    known = RecordUnits(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, _omega(mass, stiffness, omega_0))
+    said = runs[0].omega if omega is None and isinstance(runs[0], Observations) else omega
+    known = RecordUnits(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, said)
     # One run without times leaves no spring to any: a common law must be tried on all of them.
     times = not amplitudes_only and all(isinstance(r, Observations) and r.has_times for r in runs)
     candidates = _candidates(laws, springs, times, known.unit in ANGLES)
@@ -182,8 +186,9 @@ def _one_run(
     if bound is not None:
         laws = relabelled([widened(law, bound) for law in laws], growing)
     # The advice fits again; where the limit is reached, the verdict is the same without it.
-    verdict = work.within(partial(verdict_of, laws, seen, growing), verdict_of(laws, seen, growing, advice=False))
-    notes += [*_untried(laws), *_lengths(laws), *_memory(laws)]
+    plain = verdict_of(laws, seen, growing, advice=False)
+    verdict = plain if seen.spacing else work.within(partial(verdict_of, laws, seen, growing), plain)
+    notes += [*_untried(laws), *_lengths(laws), *_memory(laws), *_mode(laws)]
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
     # Each held-out error is a fit more: for the laws of the verdict only.
@@ -197,7 +202,8 @@ def _one_run(
     odd = [law for law in laws if law.negative and law.verdict == "consistent" and not law.unneeded and not growing]
     notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative: unphysical" for law in odd[:3]]
     answers = tuple(LawAnswer(law, _measured(units, law)) for law in sorted_laws(laws))
-    textbook: dict[str, Any] = work.within(lambda: textbook_estimates(seen), {})
+    # An envelope has no swings that a textbook's estimator could count.
+    textbook: dict[str, Any] = {} if seen.spacing else work.within(lambda: textbook_estimates(seen), {})
     return Identification(verdict, answers, (run,), textbook, tuple(notes), answers[0].units)
 
 
@@ -221,6 +227,21 @@ def _lengths(laws: Sequence[Judged]) -> list[str]:
     )
     said = f"length g/omega_0^2 = {middle:.5g} m [{short:.5g}, {long:.5g}] where g = {GRAVITY} m/s^2"
     return [f"{best.candidate}: omega_0 = {np.exp(ends.estimate):.6g} rad/s, {said}"]
+
+
+def _mode(laws: Sequence[Judged]) -> list[str]:
+    """The second mode that was fitted beside the motion of the first law."""
+    first = sorted_laws(laws)[0]
+    if first.fit is None or not isinstance(first.fit.model, WaveformModel) or not first.fit.model.samples.mode:
+        return []
+    place = first.fit.model.mode.start
+    cosine, sine, omega, rate = first.fit.theta[first.fit.model.mode]
+    ends = [wald_interval(first.fit, coordinate(k)) for k in (place + 2, place + 3)]
+    told = [f"[{e.low:.5g}, {e.high:.5g}]" for e in ends if e.low is not None and e.high is not None]
+    if len(told) < 2:
+        return [f"{first.candidate}: the data set no limit to the second mode"]
+    size = f"{np.hypot(cosine, sine):.3g} at the first sample"
+    return [f"second mode: {omega:.5g} {told[0]} rad a unit of time, {size}, rate of decay {rate:.3g} {told[1]}"]
 
 
 def _levels(fits: Sequence[Fitted], noise: Noise | None) -> Levels:

@@ -10,7 +10,9 @@ from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.at_rest import moving
 from asymptotics.decays.identification.measuring.extraction import observations_of_record
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
+from asymptotics.decays.identification.measuring.mode_beside import with_mode_beside
 from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.measuring.ringdown import observations_of_envelope
 from asymptotics.decays.identification.measuring.sampled import LEAST_SAMPLES, observations_of_motion
 from asymptotics.decays.identification.measuring.second_mode import without_second_modes
 from asymptotics.decays.identification.measuring.sensors import sensor_notes
@@ -28,17 +30,35 @@ MAX_SWINGS = 1_000_000
 Run = Observations | Decrements
 
 
-def load(source: Any, kind: str | None = None, unit: str = "", how: How | None = None) -> list[Run]:
-    """The runs of a source, one if its clock never starts again; InputError for what cannot be used."""
+def load(
+    source: Any,
+    kind: str | None = None,
+    unit: str = "",
+    how: How | None = None,
+    omega_0: float | None = None,
+    modes: int = 1,
+) -> list[Run]:
+    """The runs of a source, one if its clock never starts again; InputError for what cannot be used.
+
+    ``omega_0``, in rad/s, is asked for where amplitudes alone are sampled and the file does not say their frequency;
+    ``modes``: 2 for a second mode that is fitted beside the motion.
+    """
+    if modes > 1 and isinstance(source, Observations | Decrements):
+        raise InputError("modes", "turning points show no second mode", "1, or the samples of a motion")
     if isinstance(source, Observations | Decrements):
         if isinstance(source, Observations):
             _require_few(source.last, source.name or "n")
         return [source]
     table = read_table(source, kind, unit, how)
     try:
+        if modes > 1 and table.kind in ("decrement", "turning-points", "envelope"):
+            raise InputError("modes", f"{table.kind} show no second mode", "1, or the samples of a motion")
         if table.kind == "decrement":
             return [_decrements(table)]
-        found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole())
+        if table.kind == "envelope":
+            found: list[Observations] = [_ringdown(table.whole(), omega_0)]
+        else:
+            found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole(), modes)
         return [replace(run, time_unit=table.clock) for run in found]
     except InputError as error:
         # A column that was taken wrongly may be why: the refusal names it, and those that swing more.
@@ -46,7 +66,7 @@ def load(source: Any, kind: str | None = None, unit: str = "", how: How | None =
         raise type(error)("FILE", f"{error.reason}; {told}", error.accepted) if told else error from None
 
 
-def _motions(table: RecordTable) -> list[Observations]:
+def _motions(table: RecordTable, modes: int) -> list[Observations]:
     t = table.columns["t"]
     pieces = runs_of(t)
     found: list[Observations] = []
@@ -56,11 +76,11 @@ def _motions(table: RecordTable) -> list[Observations]:
             said = f"the clock starts again: run {number} of {len(pieces)}, from row {table.rows.row(int(places[0]))}"
             name = f"{table.rows.name} (run {number})"
             run = replace(run, notes=(*run.notes, said), rows=replace(run.rows, name=name))
-        found += _decays(run)
+        found += _decays(run, modes)
     return found
 
 
-def _decays(run: RecordTable) -> list[Observations]:
+def _decays(run: RecordTable, modes: int) -> list[Observations]:
     """Each release of a run, without the samples that are spikes."""
     column = "xva"[_order(run)]
     t, x, rows, notes = straightened(run.columns["t"], run.columns[column], run.rows)
@@ -81,7 +101,7 @@ def _decays(run: RecordTable) -> list[Observations]:
             told = (*said, f"released again: run {number} of {len(parts)}, {stretch}; held or touched between")
             own = replace(own, name=f"{rows.name} (release {number})")
         try:
-            found.append(_decay(t[places], x[places], run, own, told))
+            found.append(_decay(t[places], x[places], run, own, told, modes))
         # One release of several may be too short; the only one may not.
         except InputError as error:
             if len(parts) == 1:
@@ -92,15 +112,29 @@ def _decays(run: RecordTable) -> list[Observations]:
     return found
 
 
+def _ringdown(table: RecordTable, omega_0: float | None) -> Observations:
+    """A sampled envelope, at the frequency that is said or that its file says."""
+    frequency = table.frequency if omega_0 is None else omega_0 / (2 * np.pi)
+    if frequency is None:
+        raise InputError("omega_0", f"{table.rows.name} is an envelope and says no frequency", "2 pi f in rad/s")
+    t, x, rows, notes = straightened(table.columns["t"], table.columns["x"], table.rows)
+    return observations_of_envelope(
+        t, x, frequency, relative=table.relative, unit=table.unit, name=rows.name, notes=(*table.notes, *notes)
+    )
+
+
 def _order(run: RecordTable) -> int:
     return ("record", "velocity", "acceleration").index(run.kind)
 
 
-def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...]) -> Observations:
+def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...], modes: int) -> Observations:
+    if modes > 1 and len(t) >= LEAST_SAMPLES and np.ptp(x) > 0:
+        kept = moving(t, x, dominant_period(t, x)) if _order(run) == 0 else slice(None)
+        return with_mode_beside(t[kept], x[kept], unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
     # Within each release: a line has its own phase and size in each of them.
     whole = t
     # What never changes has no period, which the search for a second mode asks for.
-    if len(x) and not np.ptp(x) > 0:
+    if len(x) > 1 and not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name}, column {'xva'[_order(run)]}: all values are {x[0]:g}", "a motion")
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)

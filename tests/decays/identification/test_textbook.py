@@ -1,5 +1,7 @@
 """Textbook estimators against the exact map."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -28,6 +30,14 @@ def test_textbook_estimators_have_the_errors_they_are_said_to_have():
     assert ESTIMATORS["logarithmic decrement"][1](viscous)[0] == pytest.approx(0.1 / np.sqrt(1 - 0.05**2), rel=1e-9)
     both = (-1.0) ** n * np.exp(exact("0+1", [0.01, 0.05], 12).a)
     assert ESTIMATORS["Feeny-Liang"][1](both) == pytest.approx([0.01, 0.05], rel=1e-9)
+
+
+def test_an_estimator_without_a_value_is_left_out():
+    # Sums of neighbours that rise, as noise makes them: q > 1 is no decay, and a clip of it would be no estimate.
+    rising = np.array([1.0, -0.99, 0.985, -0.97, 0.95, -0.91, 0.85])
+    assert np.isnan(ESTIMATORS["Feeny-Liang"][1](rising)).all()
+    seen = replace(observed("1", [0.05], 6, 0.0), x=rising)
+    assert "Feeny-Liang" not in textbook_estimates(seen) and "Froude" in textbook_estimates(seen)
 
 
 @pytest.mark.parametrize(("law", "strengths", "name", "alone", "sprung"), TABLE)

@@ -107,6 +107,10 @@ class Model:
         size, stretch = (radius, np.ones(1)) if self.angle is None else angle(radius, self.angle)
         return size, radius * stretch * run.d_a
 
+    def turning_times(self, theta: Array) -> Array:
+        """The times of the turning points 0 ... last, where there are times."""
+        return np.asarray(theta[-1] + np.exp(-theta[-2]) * self._sequence(theta).tau)
+
     def predict(self, theta: Array) -> tuple[Array, Array]:
         """The predicted data and their derivatives (data, parameters); TooStrongError outside the model's domain."""
         seen, after = self.seen, self.after

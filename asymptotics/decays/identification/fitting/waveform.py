@@ -17,7 +17,7 @@ from asymptotics.decays.identification.forward.coefficients import Array, Elemen
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.forward.swing import HalfSwingModel
 from asymptotics.decays.identification.forward.work import counted
-from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.measuring.observations import Indices, Observations
 
 _STEPS, _NEAR_THE_TOP = 16, 48
 """Steps of a half-swing (of a pendulum beyond 130 degrees): what they leave is below 1e-6 of the amplitude, the least
@@ -30,14 +30,16 @@ error of the minimum; smaller steps would meet the rounding."""
 
 
 class WaveformModel(Model):
-    """All samples of one run; the vector of ``Model`` with a drift after the offset."""
+    """All samples of one run; the vector of ``Model`` with a drift after the offset, and the four numbers of a second
+    mode after that, where one is fitted beside the motion."""
 
     def __init__(self, swing: HalfSwingModel, seen: Observations, pendulum: bool = False) -> None:
         super().__init__(swing, seen, offset=True, pendulum=pendulum)
         assert seen.samples is not None
         self.samples = seen.samples
-        # Beside the law: offset, drift, ln omega_0 and t_0.
-        self.offset, self.size = True, self.after + 4
+        # Beside the law: offset, drift, the second mode, ln omega_0 and t_0.
+        self.offset, self.size = True, self.after + 4 + len(self.samples.mode)
+        self.mode = slice(self.after + 2, self.after + 2 + len(self.samples.mode))
         t = self.samples.t
         self._u = (t - t[0]) / (t[-1] - t[0])
         # Memory falls exponentially with time: that of neighbours, to the power of the gap in units of the usual one.
@@ -56,7 +58,7 @@ class WaveformModel(Model):
             return theta
         # The turning points of a smooth line may have been fitted without an offset.
         rest = theta[self.after : -2] if len(theta) > self.after + 2 else [0.0]
-        return np.array([*theta[: self.after], rest[0], 0.0, *theta[-2:]])
+        return np.array([*theta[: self.after], rest[0], 0.0, *self.samples.mode, *theta[-2:]])
 
     def level(self) -> tuple[float, float]:
         """The noise level of the data, measured without a law, and its degrees of freedom."""
@@ -94,7 +96,44 @@ class WaveformModel(Model):
         radius = radius * np.exp(order * theta[-2])
         slopes *= radius[:, None]
         slopes[:, after], slopes[:, after + 1] = 1.0, self._u
-        return self._white(radius * x + theta[after] + theta[after + 1] * self._u), self._white(slopes)
+        x = radius * x + theta[after] + theta[after + 1] * self._u
+        if self.samples.mode:
+            beside, slopes[:, self.mode] = mode_at(t - t[0], *theta[self.mode])
+            x = x + beside
+        return self._white(x), self._white(slopes)
+
+    def measured_sizes(self, theta: Array) -> tuple[Indices, Array, Array]:
+        """(n, amplitude, its standard error) at the turning points with samples of half a swing on both sides.
+
+        The amplitude of the law, and the size of cos(omega_0 (t - t_n)) in what it leaves of the samples there: the
+        motion as it is measured, without a smooth line.
+        """
+        t, times, size = self.samples.t, self.turning_times(theta), self.amplitudes(theta)[0]
+        left = self._coloured(self.data - self.predict(theta)[0])
+        rate, found = float(np.exp(theta[-2])), []
+        for n, centre in enumerate(times):
+            place = rate * (t - centre)
+            near = np.abs(place) < np.pi / 2
+            wave = np.cos(place[near])
+            # As many samples as tell a size, of both sides, about a turning point whose swing is whole.
+            inside = t[0] <= centre - np.pi / 2 / rate and centre + np.pi / 2 / rate <= t[-1]
+            if inside and (place[near] < 0).any() and (place[near] > 0).any():
+                power, sign = float(wave @ wave), float(self.seen.sign[0]) * (-1.0) ** n
+                # Neighbours that remember count for fewer.
+                spread = self.samples.noise * np.sqrt((1 + self.samples.memory) / (1 - self.samples.memory) / power)
+                found.append((n, size[n] + sign * float(wave @ left[near]) / power, spread))
+        rows = np.array(found).reshape(-1, 3)
+        return rows[:, 0].astype(int), rows[:, 1], rows[:, 2]
+
+    def _coloured(self, white: Array) -> Array:
+        """What ``_white`` was made of."""
+        size = np.sqrt(1 - self.samples.memory**2)
+        values: Array = np.array(white) / size
+        if self.samples.memory:
+            values[1:] *= np.sqrt(1 - self._rho**2)
+            for i, rho in enumerate(self._rho, start=1):
+                values[i] += rho * values[i - 1]
+        return values
 
     def _white(self, values: Array) -> Array:
         """The innovations of an AR(1) process in continuous time; the values themselves without memory."""
@@ -106,6 +145,20 @@ class WaveformModel(Model):
         # All innovations have one size, that of the innovation over the usual gap; the determinant is the same for all
         # laws.
         return np.concatenate([values[:1] * size, later])
+
+
+def mode_at(t: Array, cosine: float, sine: float, omega: float, rate: float) -> tuple[Array, Array]:
+    """A second mode that decays, and its derivatives by its four numbers.
+
+    >>> x, by = mode_at(np.array([0.0, 1.0]), 2.0, 0.0, np.pi, 0.0)
+    >>> x.round(12).tolist(), by.shape
+    ([2.0, -2.0], (2, 4))
+    """
+    # A step of the search may ask for any growth: beyond e^50 the cost refuses it.
+    size = np.exp(np.clip(-rate * t, -50.0, 50.0))
+    C, S = size * np.cos(omega * t), size * np.sin(omega * t)
+    x = cosine * C + sine * S
+    return x, np.stack([C, S, t * (sine * C - cosine * S), -t * x], axis=1)
 
 
 @np.errstate(over="ignore", invalid="ignore")  # a step of the search may leave the doubles: no swing there

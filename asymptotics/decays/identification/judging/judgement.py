@@ -162,7 +162,21 @@ def labelled(law: Judged, growing: bool) -> Judged:
 
 def relabelled(laws: Sequence[Judged], growing: bool) -> list[Judged]:
     """The verdicts once more, after the intervals have changed."""
-    return commented([labelled(law, growing) for law in laws])
+    found = [labelled(law, growing) for law in laws]
+    return commented([_beside_better(law, found, growing) for law in found])
+
+
+def _beside_better(law: Judged, laws: Sequence[Judged], growing: bool) -> Judged:
+    """No law is consistent because it hides a disturbance in a worse fit: where a better law is refuted for nothing but
+    its residuals, that are no independent noise, the disturbance is none of the loss and this law has it too."""
+    if law.verdict != "consistent":
+        return law
+    for other in laws:
+        alone = other.usable and bool(other.evidence.misfit) and other.evidence.against.p >= REFUTED
+        if alone and _admissible(other, growing) and other.criterion < law.criterion and not contains(other, law):
+            reason = f"{other.candidate} explains the data better, and leaves what is no independent noise"
+            return law.judged_as("refuted", f"{reason}: {other.evidence.misfit}")
+    return law
 
 
 def is_negative(strength: Interval) -> bool:

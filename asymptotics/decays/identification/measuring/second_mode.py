@@ -45,7 +45,7 @@ def without_second_modes(t: Array, x: Array) -> tuple[Array, tuple[str, ...]]:
     notes: list[str] = []
     for _ in range(_MODES):
         place = _peak(t, x)
-        found = None if place is None else _fitted(t, x, *place)
+        found = None if place is None else line_beside(t, x, *place)
         if found is None:
             break
         x = x - found[0]
@@ -115,24 +115,26 @@ def _slope(y: Array, size: Array) -> float:
     return float(weight @ (place * y)) / spread if spread > 1e-12 else 0.0
 
 
-def _fitted(t: Array, x: Array, omega: float, other: float) -> tuple[Array, str] | None:
-    """(the line at all samples, its description) from a fit of the motion and the line together; None if it is not
-    worth its coefficients."""
+def line_beside(
+    t: Array, x: Array, omega: float, other: float, worth: float = _WORTH
+) -> tuple[Array, str, float] | None:
+    """(the line at all samples, its description, its frequency) from a fit of the motion and the line together; None if
+    it does not lower the criterion by ``worth``."""
     some = slice(None, None, -(-len(t) // _MOST))
     T, X = t[some], x[some]
-    slow = _motion(SpectralLine(T, omega, np.zeros(_SLOW), np.zeros(1), 0.0, 0.0, 0.0), T)
+    slow = motion_columns(SpectralLine(T, omega, np.zeros(_SLOW), np.zeros(1), 0.0, 0.0, 0.0), T)
     # A rough fit of both, to take the line off before the motion is demodulated.
     line = _line(t, other)[some, : 2 * _SLOW]
-    rough = X - line @ _solved(slow, line, X)[slow.shape[1] :]
+    rough = X - line @ solved(slow, line, X)[slow.shape[1] :]
     first = demodulated(T, rough, 2 * np.pi / omega)  # without the line, or its modulation would follow it
-    main = _motion(first, T)
+    main = motion_columns(first, T)
     # The frequency again, now that the motion is away: a bin of the spectrum is too coarse for a phase over the record.
-    other = _refined(T, X - main @ _solved(main, main[:, :0], rough), other)
+    other = _refined(T, X - main @ solved(main, main[:, :0], rough), other)
     line = _line(t, other)
     Q = np.linalg.qr(np.concatenate([main, line[some]], axis=1))[0]
     left = X - Q[:, : main.shape[1]] @ (Q[:, : main.shape[1]].T @ X)
     # Without the line: the criterion that it has to beat by _WORTH.
-    criteria = [len(T) * np.log(float(left @ left) / len(T)) - _WORTH]
+    criteria = [len(T) * np.log(float(left @ left) / len(T)) - worth]
     for place in range(main.shape[1], Q.shape[1], 2):
         # Cosine and sine of one degree together: Akaike's 2 for each.
         left = left - Q[:, place : place + 2] @ (Q[:, place : place + 2].T @ X)
@@ -140,7 +142,7 @@ def _fitted(t: Array, x: Array, omega: float, other: float) -> tuple[Array, str]
     columns = 2 * int(np.argmin(criteria))
     if not columns:
         return None
-    c = _solved(main, line[some, :columns], X)[main.shape[1] :]
+    c = solved(main, line[some, :columns], X)[main.shape[1] :]
     first_sign = (-1.0) ** np.arange(columns // 2)  # Chebyshev's polynomials at the beginning
     size = float(np.hypot(*(first_sign @ c.reshape(-1, 2)))) / float(first.at(T)[0][0])
     said = f"a second mode at {other:.4g} rad a unit of time, {100 * size:.2g} % of the first at the beginning"
@@ -148,15 +150,16 @@ def _fitted(t: Array, x: Array, omega: float, other: float) -> tuple[Array, str]
     # A line larger than the record itself is one of two that cancel: the fit has not told it from the motion.
     if float(np.abs(taken).max()) > float(np.ptp(x)) / 2:
         return None
-    return taken, f"{said}, measured and taken off"
+    return taken, f"{said}, measured and taken off", other
 
 
-def _solved(main: Array, line: Array, x: Array) -> Array:
+def solved(main: Array, line: Array, x: Array) -> Array:
+    """The coefficients of both together, by least squares."""
     Q, R = np.linalg.qr(np.concatenate([main, line], axis=1))
     return np.asarray(np.linalg.lstsq(R, Q.T @ x, rcond=1e-10)[0])
 
 
-def _motion(line: SpectralLine, t: Array) -> Array:
+def motion_columns(line: SpectralLine, t: Array) -> Array:
     """The columns of the motion: base, drift, and the modulated line with its third overtone."""
     degree = len(line.modulation) - 1
     modulated = [_line(t, k * line.omega, degree) for k in ((1, 3) if len(line.third) > 1 else (1,))]

@@ -61,7 +61,7 @@ def html_report(
     fields = {
         "title": text(f"Which damping law? {names}"),
         "verdict": text(answer.verdict.text),
-        "telling": "".join(f"<p>{text(line)}</p>" for line in (answer.in_words, answer.verdict.telling) if line),
+        "telling": "".join(f"<p>{text(line)}</p>" for line in (*answer.lines, answer.verdict.telling) if line),
         "equation": f"<code>{text(answer.best.law.candidate.formula())}</code>",
         "pictures": "".join(_pictures(answer)),
         "laws": table(("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]", "why"), reasons, ""),

@@ -142,9 +142,9 @@ class LawAnswer(Alike, Rows):
         """One line of the table: law, verdict, AICc difference, held-out error, strengths by exponent."""
         law = self.law
         names = [*law.candidate.alphas, *(f"s{p}" for p in law.candidate.springs)]
-        found = [_shown(e) for e in (*law.epsilon, *law.springs)]
+        found = [shown_interval(e) for e in (*law.epsilon, *law.springs)]
         named = [f"{name}: {text}" for name, text in zip(names, found)] if len(found) > 1 else found
-        strengths = "  ".join(([] if law.alpha is None else [f"alpha {_shown(law.alpha)}"]) + named)
+        strengths = "  ".join(([] if law.alpha is None else [f"alpha {shown_interval(law.alpha)}"]) + named)
         excess = f"{law.excess:.1f}" if np.isfinite(law.excess) else "-"
         held = "-" if law.evidence.held_out is None else f"{law.evidence.held_out:.2f}"
         verdict = law.graded + (f", {' and '.join(law.unneeded)} not needed" if law.unneeded else "")
@@ -161,7 +161,8 @@ def _end(value: float | None) -> str:
     return "no limit" if value is None else f"{value:.6g}"
 
 
-def _shown(interval: Interval) -> str:
+def shown_interval(interval: Interval) -> str:
+    """An estimate with both ends of its interval, to two digits of it."""
     size = abs(interval.estimate)
     width = min((abs(v - interval.estimate) for v in (interval.low, interval.high) if v is not None), default=size)
     # Two digits of the shorter half of the interval; four at least, twelve at most.
@@ -171,4 +172,4 @@ def _shown(interval: Interval) -> str:
 
 
 def _with_unit(name: str, ends: Interval, unit: str) -> str:
-    return f"{name} = {_shown(ends)} {unit}"
+    return f"{name} = {shown_interval(ends)} {unit}"

@@ -1,8 +1,8 @@
 """Pictures of an identification: the decay, the decrement against amplitude with each law's curve and band, residuals.
 
-``draw_panels`` draws four panels: turning points with the envelope of the best law; the classical plot of decrement
-against mean amplitude, with the band of the 95 % region for the laws of the verdict; the residuals of turning points
-(and times) against n; the profile of the first strength.  matplotlib is loaded when a picture is asked for.
+``draw_panels`` draws four panels: the samples over time with the turning points and the envelope of the best law; the
+classical plot of decrement against mean amplitude, with the band of the 95 % region for the laws of the verdict, those
+that coincide as one; the residuals; the profile of each strength.  matplotlib is loaded when a picture is asked for.
 """
 
 from textwrap import wrap
@@ -12,14 +12,20 @@ import numpy as np
 
 from asymptotics.decays.identification.fitting.least_squares import Fit
 from asymptotics.decays.identification.fitting.profile import profile_curve, quantile
+from asymptotics.decays.identification.fitting.waveform import WaveformModel
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.judging.grades import off
 from asymptotics.decays.identification.judging.laws import Judged
+from asymptotics.decays.identification.measuring.observations import Indices
+from asymptotics.decays.identification.telling.law_answer import shown_interval
+from asymptotics.decays.records.units import SECONDS
 from asymptotics.errors import InputError
 from asymptotics.present.drawn import head
 
 _SHOWN = 3
 """So many curves with their bands can be told apart in one panel."""
+_ALIKE = 0.5
+"""Curves that lie within this share of their bands of each other are one to the eye, and are drawn as one."""
 
 
 def shown_laws(answer: Any) -> list[Judged]:
@@ -27,9 +33,8 @@ def shown_laws(answer: Any) -> list[Judged]:
     laws = [found.law for found in answer.laws if found.law.fit is not None and found.law.fit.model.alternating]
     if answer.per_run or not laws:
         raise InputError("plot", "there is no single run of turning points to draw", "one record or turning points")
-    # Those of the verdict alone have a held-out error.
-    consistent = [law for law in laws if law.verdict == "consistent" and law.evidence.held_out is not None]
-    return (consistent or laws)[:_SHOWN]
+    chosen = {found.law.candidate for found in answer.of_the_verdict}
+    return ([law for law in laws if law.candidate in chosen] or laws)[:_SHOWN]
 
 
 def draw_panels(answer: Any, axes: Any) -> None:
@@ -40,7 +45,8 @@ def draw_panels(answer: Any, axes: Any) -> None:
     grid = place.subgridspec(2, 2)
     axes.set_subplotspec(grid[0, 0])
     classical, residuals, profile = (figure.add_subplot(grid[k]) for k in ((0, 1), (1, 0), (1, 1)))
-    figure.suptitle("\n".join(wrap(answer.verdict.text, 110)), fontsize=11)
+    said = [line for text in (answer.verdict.text, answer.quality_in_words) for line in wrap(text, 110)]
+    figure.suptitle("\n".join(said), fontsize=11)
     _decay(axes, shown[0], answer.units.unit)
     draw_decrements(classical, shown, answer.units.unit)
     _residuals(residuals, shown[0])
@@ -53,14 +59,29 @@ def _fit_of(law: Judged) -> Fit:
 
 
 def _decay(axes: Any, law: Judged, unit: str) -> None:
+    """Samples and turning points with the envelope; over time, where there is any."""
     fit = _fit_of(law)
     model, seen = fit.model, fit.model.seen
-    size, centre = model.amplitudes(fit.theta)[0], fit.rest
-    n = np.arange(seen.last + 1)
+    size, centre = model.amplitudes(fit.theta)[0], np.full(seen.last + 1, fit.rest)
+    place: Array = np.arange(seen.last + 1.0)
+    abscissa = "turning point n"
+    if seen.has_times:
+        clock = seen.time_unit or "s"
+        abscissa, scale = f"t ({clock})", SECONDS[clock]
+        place = model.turning_times(fit.theta) / scale
+        # An acceleration or a velocity is not the motion that the envelope surrounds.
+        if seen.samples is not None and seen.samples.derivative == 0:
+            t = seen.samples.t
+            axes.plot(t / scale, seen.samples.x, ".", markersize=2, color="0.6", label=f"{len(t)} samples")
+            # About a base line that may be inclined.
+            centre = fit.theta[model.after] + fit.theta[model.after + 1] * (place * scale - t[0]) / (t[-1] - t[0])
+            axes.set_xlim(t[0] / scale, t[-1] / scale)
     for sign in (1, -1):
-        axes.plot(n, centre + sign * size, color="C1", lw=1, label="envelope" if sign > 0 else None)
-    axes.plot(seen.n, seen.x, "o", markersize=3, label="turning points")
-    axes.set(xlabel="turning point n", ylabel=f"x ({unit})" if unit else "x")
+        axes.plot(place, centre + sign * size, color="C1", lw=1, label="envelope" if sign > 0 else None)
+    n, measured, _ = measured_sizes(fit)
+    side = seen.sign[0] * np.where(n % 2, -1.0, 1.0)
+    axes.plot(place[n], centre[n] + side * measured, "o", markersize=3, color="C0", label="turning points")
+    axes.set(xlabel=abscissa, ylabel=f"x ({unit})" if unit else "x")
     head(axes, [f"decay and envelope of {law.candidate}"])
 
 
@@ -79,23 +100,57 @@ def decrement_band(fit: Fit, inflation: float = 1.0) -> tuple[Array, Array, Arra
     return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], inflation * quantile(fit, 0.95, "x") * spread
 
 
+def measured_sizes(fit: Fit) -> tuple[Indices, Array, Array]:
+    """(n, amplitude, its standard error) of the turning points that were measured."""
+    model, seen = fit.model, fit.model.seen
+    if isinstance(model, WaveformModel) and model.samples.derivative == 0:
+        return model.measured_sizes(fit.theta)
+    known = seen.inside
+    if seen.samples is not None:
+        known[np.flatnonzero(known)[[0, -1]]] = False  # a smooth line knows its ends badly
+    error = seen.sigma_x if len(seen.sigma_x) else np.full(len(seen.n), fit.scales["x"])
+    return seen.n[known], (seen.sign * (seen.x - fit.rest))[known], error[known]
+
+
+def measured_decrements(fit: Fit) -> tuple[Array, Array, Array]:
+    """(mean amplitude, decrement, its standard error) of successive turning points that were measured."""
+    n, size, error = measured_sizes(fit)
+    next_ = np.diff(n) == 1
+    means, falls = (size[1:] + size[:-1]) / 2, size[:-1] - size[1:]
+    return means[next_], falls[next_], np.hypot(error[1:], error[:-1])[next_]
+
+
 def draw_decrements(axes: Any, laws: list[Judged], unit: str) -> None:
     """What was measured, and the decrement of each law with the band of its 95 % region."""
-    fit = _fit_of(laws[0])
-    seen = fit.model.seen
-    size = np.abs(seen.x - fit.rest)
-    next_ = np.diff(seen.n) == 1
-    mean, decrement = ((size[1:] + size[:-1]) / 2)[next_], (size[:-1] - size[1:])[next_]
-    axes.plot(mean, decrement, "o", markersize=3, color="0.5", label="measured")
-    for i, law in enumerate(laws):
-        amplitude, value, band = decrement_band(_fit_of(law), law.inflation)
+    mean, decrement, error = measured_decrements(_fit_of(laws[0]))
+    axes.errorbar(mean, decrement, error, fmt="o", markersize=3, lw=0.8, color="0.5", label="measured")
+    low, high = axes.get_ylim()
+    for i, (names, amplitude, value, band) in enumerate(_told_apart(laws)):
         shape = {"linestyle": "-" if i == 0 else "--", "zorder": 3 - 0.1 * i}  # rivals do not hide the best law
-        axes.plot(amplitude, value, color=f"C{i}", label=str(law.candidate), **shape)
+        axes.plot(amplitude, value, color=f"C{i}", label=names, **shape)
         axes.fill_between(amplitude, value - band, value + band, color=f"C{i}", alpha=0.25, lw=0)
+        low, high = min(low, float(value.min())), max(high, float(value.max()))
+    axes.set_ylim(low, high + 0.05 * (high - low))  # a band may be wide where nothing was measured
     _draw_left(axes, laws[0])
     suffix = f" ({unit})" if unit else ""
     axes.set(xlabel="mean amplitude" + suffix, ylabel="decrement" + suffix)
     head(axes, ["decrement against amplitude"])
+
+
+def _told_apart(laws: list[Judged]) -> list[tuple[str, Array, Array, Array]]:
+    """(names, amplitude, decrement, band) of the laws, those that coincide as one with the wider band of them."""
+    found: list[tuple[str, Array, Array, Array]] = []
+    for law in laws:
+        amplitude, value, band = decrement_band(_fit_of(law), law.inflation)
+        for i, (names, other, its, wide) in enumerate(found):
+            # Amplitudes fall with n, and interp wants them rising.
+            here, beside = (np.interp(other, amplitude[::-1], y[::-1]) for y in (value, band))
+            if (np.abs(here - its) <= _ALIKE * np.maximum(beside, wide)).all():
+                found[i] = f"{names} and {law.candidate} (coincide)", other, its, np.maximum(beside, wide)
+                break
+        else:
+            found.append((str(law.candidate), amplitude, value, band))
+    return found
 
 
 def _draw_left(axes: Any, law: Judged) -> None:
@@ -114,9 +169,10 @@ def _residuals(axes: Any, law: Judged) -> None:
     fit = _fit_of(law)
     samples = fit.model.seen.samples
     if samples is not None:
-        axes.plot(samples.t, fit.weighted, ".", markersize=2, label=f"{len(samples.t)} samples")
+        clock = fit.model.seen.time_unit or "s"
+        axes.plot(samples.t / SECONDS[clock], fit.weighted, ".", markersize=2, label=f"{len(samples.t)} samples")
         axes.axhline(0, color="0.5", lw=0.6)
-        axes.set(xlabel="t (s)", ylabel="residual / standard deviation")
+        axes.set(xlabel=f"t ({clock})", ylabel="residual / standard deviation")
         head(axes, [f"residuals of {law.candidate}"])
         return
     numbers = {"x": fit.model.seen.n, "t": fit.model.seen.n, "passage": fit.model.seen.passage_n}
@@ -133,7 +189,9 @@ def _profile(axes: Any, law: Judged) -> None:
         values, rise = profile_curve(fit, law.fitted.functions[i], count=13)
         found, level = law.epsilon[i], quantile(fit, 0.95, "x") ** 2
         scale = abs(found.estimate) or 1.0
-        axes.plot((values - found.estimate) / scale, rise, color=f"C{i}", label=f"strength of {name}")
+        axes.plot(
+            (values - found.estimate) / scale, rise, color=f"C{i}", label=f"epsilon of {name}: {shown_interval(found)}"
+        )
         # The ends of the interval as it is printed: off the curve where correlated residuals stretch it.
         ends = [(end - found.estimate) / scale for end in (found.low, found.high) if end is not None]
         label = "95 % interval" if i == 0 else None

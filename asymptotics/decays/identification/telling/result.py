@@ -62,8 +62,21 @@ class Identification(Alike, Rows, Drawn):
         Q of the envelope, which needs no law."""
         laws = self.of_the_verdict
         found = [line for answer in laws[:MANY] for line in answer.lines]
-        together, bare = agreed([answer.law for answer in laws], self.units), self._bare()
-        return (*found, *([] if together is None else [str(together)]), *([] if bare is None else [bare.told()]))
+        together = agreed([answer.law for answer in laws], self.units)
+        return (*found, *([] if together is None else [str(together)]), *self._bare_lines())
+
+    @property
+    def quality_in_words(self) -> str:
+        """Q in one line: by all laws of the verdict, by the one, or before any law."""
+        together = agreed([answer.law for answer in self.of_the_verdict], self.units)
+        return self.in_words if together is None else str(together)
+
+    def _bare_lines(self) -> list[str]:
+        """What the envelope says, of each of the first runs."""
+        if len(self.per_run) > 1:
+            return [f"{one.runs[0].name}: {line}" for one in self.per_run[:MANY] for line in one._bare_lines()]
+        bare = self._bare()
+        return [] if bare is None else [bare.told()]
 
     def _equivalent(self) -> dict[str, Any] | None:
         return None if self.per_run or not self.laws else equivalent(self.best.law, self.units.omega_0)

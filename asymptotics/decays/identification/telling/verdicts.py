@@ -163,7 +163,7 @@ def named(law: Judged) -> str:
 
 
 def _beside(law: Judged, fitted: Sequence[Judged], beaten: Sequence[Judged]) -> str:
-    best = min(fitted, key=lambda law: law.criterion)
+    best = min((o for o in fitted if o.parameters > law.parameters), key=lambda o: o.criterion, default=law)
     gain = law.criterion - best.criterion
     spoilt = " (unphysical)" if best.negative else ""
     # A difference of 4 is the least that is customarily called considerable (Burnham and Anderson 2002).

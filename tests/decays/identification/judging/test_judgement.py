@@ -16,7 +16,7 @@ from asymptotics.decays.identification.synthetic import exact, observed
 def test_a_term_that_is_not_needed_does_not_refute_the_law():
     answer = asy.identify(observed("1", [0.02], 60, 1e-3, 1e-3, seed=4))
     assert answer.verdict.text.startswith("identified: 1,")
-    larger = [e.law for e in answer.laws if "1" in e.law.candidate.alphas and e.law.terms > 1]
+    larger = [e.law for e in answer.laws if "1" in e.law.candidate.alphas and e.law.fitted.terms > 1]
     assert len(larger) == 23
     assert {law.verdict for law in larger} == {"consistent"}
     assert all("contains 1, which is consistent; not needed: " in law.reason for law in larger)

@@ -14,6 +14,7 @@ from asymptotics.decays.identification.judging.judgement import (
     is_negative,
     labelled,
     minimal,
+    relabelled,
     rivals,
     worst,
 )
@@ -97,6 +98,25 @@ def test_nothing_speaks_against_a_law_without_a_fit(monkeypatch):
     assert judgement.against(full, other) == "asked"
     for less in (none, unusable):
         assert judgement.against(full, less) == Contradiction() == judgement.against(less, full)
+
+
+@pytest.mark.parametrize(
+    ("other", "known", "verdict"),
+    [
+        ("1", {}, "refuted"),
+        ("1", {"misfit": ""}, "consistent"),  # a better law without a disturbance is a rival
+        ("1", {"criterion": 4.5}, "consistent"),  # a worse one says nothing
+        ("1", {"epsilon": (BELOW,)}, "consistent"),
+        ("1", {"outside": "far"}, "consistent"),
+        ("1", {"against": Contradiction(read("2"), 20.0, 1, REFUTED / 2)}, "consistent"),
+        ("0+1+3", {}, "consistent"),  # it contains the law: no other loss
+    ],
+)
+def test_no_law_stands_because_it_hides_a_disturbance_in_a_worse_fit(other, known, verdict):
+    said = {"misfit": "a line at 3", "criterion": 1.0} | known
+    better = law(other, verdict="undetermined", criterion=said.pop("criterion"), **said)
+    (found, _) = relabelled([law("0+3", verdict="undetermined", criterion=4.0), better], growing=False)
+    assert found.verdict == verdict and (verdict == "consistent" or "1 explains the data better" in found.reason)
 
 
 def test_a_law_that_the_time_did_not_suffice_for_is_open_whatever_speaks_against_it():

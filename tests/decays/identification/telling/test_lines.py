@@ -69,7 +69,8 @@ def test_each_law_of_the_verdict_has_its_equation_its_strengths_and_their_shares
     # zeta = 0.01 + (4/(3 pi)) 0.04 A: 37 % at A = 1.
     assert "37 % of the loss at 1 m" in viscous and "63 % of the loss at 1 m" in quadratic and " 1/m, " in quadratic
     assert q.startswith("  Q = 18.5 at 1 m") and bare.startswith("envelope, before any law: period 3.14")
-    assert all(line.strip() in answer._repr_html_().replace("&#x27;", "'") for line in answer.lines[:1])
+    card = answer._repr_html_()
+    assert "viscous drag and drag in v" in card and "1: b/m = 0.04 " in card and "envelope, before any law" in card
 
 
 def test_all_laws_of_an_open_verdict_say_q_together():
@@ -83,7 +84,7 @@ def test_all_laws_of_an_open_verdict_say_q_together():
     # In the middle of the record they agree, and with the truth: Q = 50, whichever law it is.
     assert 45 < middle[0] < middle[1] < 55 and all(middle[1] - middle[0] < 0.2 * (b - a) for a, b in (first, last))
     assert 25 < float(found["half_life"]["low"]) < float(found["half_life"]["high"]) < 40
-    assert "both laws say: Q = 47.6 to 57 at" in answer.lines[-2]
+    assert "both laws say: Q = 47.6 to 57 at" in answer.lines[-2] and answer.quality_in_words == answer.lines[-2]
     one = answer.laws[:1]
     assert agreed([law.law for law in one], answer.units) is None
 
@@ -108,6 +109,14 @@ def test_the_envelope_tells_times_in_the_unit_of_the_file(tmp_path):
         assert float(found[unit]["period"]["estimate"]) == pytest.approx(np.pi * size, rel=1e-3)
         assert float(found[unit]["half_life"]["estimate"]) == pytest.approx(np.log(2) / 0.05 * size, rel=0.02)
     assert found["s"]["quality"] == found["ms"]["quality"]
+
+
+def test_of_several_runs_each_envelope_is_told_by_its_name():
+    runs = [decay("1", [0.02], noise=1e-4 * k) for k in (1, 2)]
+    answer = asy.identify(runs, laws=["1", "2"], bootstrap=False)
+    assert answer.lines[0].startswith("1: viscous drag") and "b/m = 0.04" in answer.lines[1]
+    assert sum("envelope, before any law" in line for line in answer.lines) == 2
+    assert answer.lines[-1].startswith(f"{answer.runs[1].name}: envelope")
 
 
 def test_a_share_is_told_in_plain_words_and_never_above_the_whole():

@@ -5,11 +5,19 @@ from dataclasses import replace
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from matplotlib.collections import PolyCollection
 
 import asymptotics as asy
 from asymptotics.decays.identification.fitting.profile import quantile
 from asymptotics.decays.identification.synthetic import observed
-from asymptotics.decays.identification.telling.plots import _profile, decrement_band, draw_decrements
+from asymptotics.decays.identification.telling.plots import (
+    _profile,
+    decrement_band,
+    draw_decrements,
+    measured_decrements,
+    measured_sizes,
+    shown_laws,
+)
 from asymptotics.errors import InputError
 
 
@@ -46,7 +54,7 @@ def test_pictures_have_intervals_as_long_as_those_that_are_printed():
         figure, (band, profile) = plt.subplots(1, 2)
         draw_decrements(band, [each], "")
         _profile(profile, each)
-        (outline,) = band.collections[0].get_paths()
+        (outline,) = next(c for c in band.collections if isinstance(c, PolyCollection)).get_paths()
         x, y = outline.vertices.T
         heights.append(np.ptp(y[x == np.median(x)]))
         (marks,) = [line.get_xdata() for line in profile.lines if line.get_marker() == "|"]
@@ -54,3 +62,67 @@ def test_pictures_have_intervals_as_long_as_those_that_are_printed():
         plt.close(figure)
     assert heights[1] == pytest.approx(3 * heights[0], rel=1e-6)
     assert ends[1] == pytest.approx(3 * ends[0], rel=1e-6) and ends[0][0] < 0 < ends[0][1]
+
+
+def sampled(unit="s", memory=0.0, noise=5e-3):
+    """Linear loss, 12 samples a period of 2 s, so that the samples are fitted, in a file with this unit of time."""
+    t, random = np.arange(0.3, 40, 1 / 6), np.random.default_rng(3)
+    drawn = random.standard_normal(len(t))
+    for i in range(1, len(t)):
+        drawn[i] = memory * drawn[i - 1] + np.sqrt(1 - memory**2) * drawn[i]
+    x = np.exp(-0.05 * t) * np.cos(np.pi * t) + 0.1 + noise * drawn
+    return {f"t ({unit})": t * {"s": 1, "ms": 1000}[unit], "x": x}
+
+
+@pytest.mark.parametrize("memory", [0.0, 0.8])
+def test_measured_amplitudes_are_those_of_the_motion_whichever_law_was_fitted(memory):
+    answer = asy.identify(sampled(memory=memory), laws=["1", "0"], bootstrap=False)
+    for law in ("1", "0"):
+        fit = answer.law(law).law.fit
+        n, size, error = measured_sizes(fit)
+        true = np.exp(-0.05 * fit.model.turning_times(fit.theta)[n])
+        assert np.sqrt(np.mean(((size - true) / error) ** 2)) < 1.6 and error.max() < 0.02
+        mean, fall, spread = measured_decrements(fit)
+        assert (np.abs(fall - 0.05 * mean) < 4.5 * spread + 0.002).all() and len(mean) > 30
+    # The law that was fitted does not tell it: dry friction's own amplitudes are far from them.
+    assert np.abs(fit.model.amplitudes(fit.theta)[0][n] - true).max() > 10 * error.max()
+
+
+def test_the_whitened_samples_are_coloured_again():
+    fit = asy.identify(sampled(memory=0.8), laws=["1"], bootstrap=False).law("1").law.fit
+    model = fit.model
+    assert model.samples.memory > 0.5
+    assert model._coloured(model.data) == pytest.approx(model.samples.x, rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize("unit", ["s", "ms"])
+def test_the_decay_is_drawn_over_time_in_the_unit_of_the_file(unit):
+    answer = asy.identify(sampled(unit), laws=["1", "0"], bootstrap=False)
+    figure, axes = plt.subplots()
+    answer.plot(axes, panels=True)
+    decay = figure.axes[0]
+    samples, upper, lower, points = decay.lines
+    size = {"s": 1.0, "ms": 1e3}[unit]
+    assert decay.get_xlabel() == f"t ({unit})" and samples.get_xdata()[-1] == pytest.approx(39.97 * size, rel=1e-3)
+    assert len(samples.get_xdata()) == len(answer.best.law.fit.model.samples.t)
+    # The samples lie between the envelopes, about the base line.
+    t = samples.get_xdata()
+    above, below = (np.interp(t, line.get_xdata(), line.get_ydata()) for line in (upper, lower))
+    assert (samples.get_ydata() < above + 0.03).all() and (samples.get_ydata() > below - 0.03).all()
+    assert np.abs(points.get_ydata() - 0.1).max() == pytest.approx(np.exp(-0.05), rel=0.05)
+    # Each profile tells its strength.
+    (label,) = [line.get_label() for line in figure.axes[3].lines if "epsilon" in line.get_label()]
+    assert label.startswith("epsilon of 1: 0.03") and "[" in label
+    plt.close(figure)
+
+
+def test_laws_that_coincide_are_one_band():
+    data = observed("1", [0.02], 40, 1e-3, seed=1)
+    answer = asy.identify(data, laws=["1", "free", "2"], bootstrap=False)
+    one, free, other = (answer.law(name).law for name in ("1", "free", "2"))
+    figure, axes = plt.subplots()
+    draw_decrements(axes, [one, free, other], "")
+    labels = axes.get_legend_handles_labels()[1]
+    assert "1 and free (coincide)" in labels and "2" in labels and "free" not in labels
+    plt.close(figure)
+    assert [str(law.candidate) for law in shown_laws(answer)] == ["1"]

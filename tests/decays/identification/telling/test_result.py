@@ -9,7 +9,7 @@ from asymptotics.decays.identification.forward.candidates import read_candidate 
 from asymptotics.decays.identification.judging.contradiction import Contradiction
 from asymptotics.decays.identification.judging.grades import Unexplained
 from asymptotics.decays.identification.measuring.observations import Observations
-from asymptotics.decays.identification.telling.law_answer import LawAnswer, _shown
+from asymptotics.decays.identification.telling.law_answer import LawAnswer, shown_interval
 from asymptotics.decays.identification.telling.record_units import RecordUnits
 from asymptotics.decays.identification.telling.result import _data, sorted_laws
 from tests.decays.identification import small_laws
@@ -118,7 +118,7 @@ def test_a_line_of_the_table_has_five_cells():
     ],
 )
 def test_a_strength_is_told_to_two_digits_of_its_interval(interval, text):
-    assert _shown(Interval(*interval)) == text
+    assert shown_interval(Interval(*interval)) == text
 
 
 def test_the_laws_of_the_verdict_stand_first_then_the_better_ones():
