@@ -74,10 +74,11 @@ mutants: $(VENV)/.mutants
 weakened: $(VENV)/.test
 	$(RUN) benchmarks.weakened $(PART)
 
-# The two lemmas behind a certificate, and one of its instances, compiled by Coq, with the axioms they rest on: Debian has all it takes.
+# The two lemmas behind a certificate, and a turning point to ten digits from its coefficients, compiled by Coq, with the axioms they
+# rest on: Debian has all it takes.
 COQC ?= coqc
 proofs:
-	@command -v $(COQC) >/dev/null || { echo "$(COQC) is not installed: no proof was compiled (Debian: coq libcoq-coquelicot libcoq-interval)"; exit 0; }; \
+	@command -v $(COQC) >/dev/null || { echo "$(COQC) is not installed: no proof was compiled (Debian: coq libcoq-coquelicot)"; exit 0; }; \
 	rm -rf build/coq && mkdir -p build/coq && cp derivations/coq/*.v build/coq && cd build/coq && \
 	for file in $$(cat ../../derivations/coq/order.txt); do \
 	    echo "$$file"; $(COQC) -w none $$file || exit 1; \

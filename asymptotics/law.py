@@ -28,14 +28,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
-import sympy
 from flint import arb
 
 from asymptotics.errors import InputError, shown
 from asymptotics.expansions.moments.certified import moment
-from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import inside
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.latex import latex
 from asymptotics.numbers.policy import Number, exact_number, float_notes
 from asymptotics.present.shown import Page, Shown
 from asymptotics.terms import Scaled, Term, Units, signed_sum
@@ -293,7 +292,7 @@ class Oscillator(Shown):
         return {"x": f"displacement in {self.unit}"}
 
     def _formula(self) -> str:
-        mass = {"1": ""}.get(str(self.mass), sympy.latex(to_sympy(self.mass)) + r"\,")
+        mass = {"1": ""}.get(str(self.mass), latex(self.mass) + r"\,")
         force = signed_sum((Term(self.stiffness, 0, 1, "position"), *self._forces()), latex=True)
         return rf"{mass}\ddot x + {force} = 0"
 

@@ -20,13 +20,12 @@ import re
 from dataclasses import dataclass, replace
 from typing import Literal
 
-import sympy
 from flint import arb
 
 from asymptotics.errors import InputError, shown
-from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import inside
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal
+from asymptotics.numbers.latex import latex
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.numbers.powers import exact_power
 from asymptotics.present.shown import Page, Shown
@@ -236,7 +235,7 @@ class Term(Shown):
 
     def latex(self) -> str:
         """The term in LaTeX."""
-        text = str(self.strength) if isinstance(self.strength, Scaled) else sympy.latex(to_sympy(self.strength))
+        text = str(self.strength) if isinstance(self.strength, Scaled) else latex(self.strength)
         return {"1": "", "-1": "-"}.get(text, rf"{text}\,") + self.latex_shape()
 
     def latex_shape(self) -> str:
@@ -247,10 +246,10 @@ class Term(Shown):
         if self.sign < 0:
             place = "" if not p else f"x^{{{p}}}" if p % 2 == 0 else "|x|" if p == 1 else f"|x|^{{{p}}}"
             known = {"0": r"\operatorname{sgn}\dot x", "1": r"\dot x", "2": r"\dot x|\dot x|", "3": r"\dot x^{3}"}
-            other = rf"\dot x|\dot x|^{{{sympy.latex(to_sympy(v - 1))}}}"
+            other = rf"\dot x|\dot x|^{{{latex(v - 1)}}}"
             return (place + r"\," if place else "") + known.get(str(v), other)
         place = "x" if p == 1 else f"x^{{{p}}}" if p % 2 else "x|x|" if p == 2 else f"x|x|^{{{p - 1}}}"
-        power = f"^{{{sympy.latex(to_sympy(v))}}}"
+        power = f"^{{{latex(v)}}}"
         return place + ("" if v.is_zero else rf"\,\dot x{power}" if _is_even(v) else rf"\,|\dot x|{power}")
 
     def plus(self, other: "Term") -> "Term":

@@ -53,12 +53,13 @@ def run(size: int = 1000) -> Table:
 
 def orbit_seconds(law: Law, digits: int, size: int) -> tuple[float, float]:
     """(what the first run takes longer, the second run) of ``size`` turning points with their times."""
-    panels = Panels(law, int(3.33 * digits) + 40)
-    with ctx.workprec(panels.bits + GUARD):
+    bits = int(3.33 * digits) + 40
+    panels = Panels.alone(law, bits)
+    with ctx.workprec(bits + GUARD):
         damping = Damping.of_law(law)
 
     def orbit() -> None:
-        with ctx.workprec(panels.bits):
+        with ctx.workprec(bits):
             *_, last = islice(sequence(Interpolated(damping, panels, size), at_rest(arb(1))), size + 1)
             assert last.amplitude_error < last.amplitude * arb(10) ** -digits
             assert last.time_error < last.time * arb(10) ** -digits

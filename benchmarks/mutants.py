@@ -9,6 +9,7 @@ A survivor is listed in ``benchmarks/equivalent_mutants.json`` with the reason w
 """
 
 import json
+import os
 import random
 import re
 import shutil
@@ -149,11 +150,13 @@ def _run(argv: list[str] | None) -> int:
     parser.add_argument("--sample", type=int, default=60, help="mutants of each group (default 60)")
     parser.add_argument("--seconds", type=int, default=240, help="time limit of each group (default 240)")
     parser.add_argument("--seed", type=int, default=0, help="another seed draws another sample (default 0)")
+    parser.add_argument("--processes", type=int, default=os.cpu_count() or 1, help="default: as many as cores")
     options = parser.parse_args(argv)
     unknown = sorted(set(options.groups) - set(GROUPS))
     if unknown:
         parser.error(f"no group {unknown[0]!r}: {', '.join(GROUPS)}")
-    scores = [measure(name, options.sample, options.seed, options.seconds) for name in options.groups or GROUPS]
+    how = options.sample, options.seed, options.seconds, options.processes
+    scores = [measure(name, *how) for name in options.groups or GROUPS]
     (BUILD / "scores.json").write_text(json.dumps([asdict(score) for score in scores], indent=2))
     emit(_table(scores, options.sample, options.seed).text())
     for score in scores:
@@ -162,16 +165,16 @@ def _run(argv: list[str] | None) -> int:
     return int(any(score.ratio < WANTED for score in scores))
 
 
-def measure(group: str, sample: int, seed: int, seconds: int) -> Score:
+def measure(group: str, sample: int, seed: int, seconds: int, processes: int) -> Score:
     """Plant the sample of one group and run its tests."""
     start = time.monotonic()
     folder = _copy(group)
-    _mutmut(folder, ["no mutant has this name"], seconds)  # writes the mutants and runs none
+    _mutmut(folder, ["no mutant has this name"], seconds, processes)  # writes the mutants and runs none
     names = sorted(_outcomes(folder))
     drawn = random.Random(f"{seed} {group}").sample(names, min(len(names), 3 * sample))
     planted = {name: fault for name, fault in _faults(folder, drawn).items() if not _only_text(fault)}
     faults = dict(list(planted.items())[:sample])
-    _mutmut(folder, [*faults], seconds)
+    _mutmut(folder, [*faults], seconds, processes)
     codes = {name: code for name, code in _outcomes(folder).items() if name in faults and code is not None}
     if not codes:
         print(f"{group}: no mutant was judged: see {(folder / 'mutmut.log').relative_to(ROOT)}", file=sys.stderr)
@@ -212,8 +215,8 @@ def _copy(group: str) -> Path:
     return folder
 
 
-def _mutmut(folder: Path, names: list[str], seconds: int) -> None:
-    command = [sys.executable, "-m", "mutmut", "run", *names]
+def _mutmut(folder: Path, names: list[str], seconds: int, processes: int) -> None:
+    command = [sys.executable, "-m", "mutmut", "run", "--max-children", str(processes), *names]
     try:
         with (folder / "mutmut.log").open("w") as log:
             subprocess.run(command, cwd=folder, stdout=log, stderr=log, timeout=seconds)

@@ -94,7 +94,12 @@ step(
     N / (N - nu),
 )
 excess = (N / (N - nu)) ** (1 / nu)
-step("so |X|/(13) is 1 + 1/N to leading order, for every alpha > 1:", Limit(N * (excess - 1), N, oo), 1)
+step(
+    "so |X|/(13) is 1 + 1/N to leading order, for every alpha > 1:",
+    Limit(N * (excess - 1), N, oo),
+    1,
+    corrects=("lancaster2020:claim.valid-for-any-b",),
+)
 step("it stays so when alpha tends to 1", Limit(excess, nu, 0, "+"), sympy.exp(1 / N))
 step(
     "Without the second factor 1/(alpha-1), at N T_c, (|X|/(13))^(alpha-1) is",
@@ -118,4 +123,11 @@ step(
     " epsilon; and this is of order 1 up to alpha = 1:",
     Limit(At(e / nu, {e: (nu / alpha) ** alpha}), nu, 0, "+"),
     1,
+)
+step(
+    "Strong damping, right after the creep, by the time s: (|X|/(13))^(alpha-1) grows with T_c, so that not only the"
+    " phase is wrong; over T_c it tends to",
+    Limit(At(quotient, {tau: T_c + s}) / T_c, T_c, oo),
+    nu * p_1 / (1 / D + nu * p_1 * s),
+    corrects=("lancaster2020:claim.large-b-agreement",),
 )

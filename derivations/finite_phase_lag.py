@@ -15,7 +15,8 @@ from derivations.steps import At, Derivation
 alpha, epsilon, tau, p_1, w_2, nu, s, x, y = sympy.symbols("alpha epsilon tau p_1 w_2 nu s x y", positive=True)
 mu = sympy.Symbol("mu", nonzero=True)  # alpha - 1, of either sign
 A, delta = (sympy.Function(name, positive=True)(tau) for name in ("A", "delta"))
-phi, chi = sympy.Function("phi", real=True)(tau), sympy.Symbol("chi_1", real=True)
+phi, psi = (sympy.Function(name, real=True)(tau) for name in ("phi", "psi"))
+chi = sympy.Symbol("chi_1", real=True)
 
 derivation = Derivation(
     "finite-phase-lag",
@@ -43,8 +44,8 @@ step(
 )
 step(
     "The phase phi = psi - tau: a turn has dtau/dpsi = W = 1 + w_2 delta^2 + ..., even in delta, with"
-    " w_2 of multiple-scales-turning. dphi/dtau = 1/W - 1; over delta^2, for small delta",
-    Limit((1 / (1 + w_2 * x**2) - 1) / x**2, x, 0),
+    " w_2 of multiple-scales-turning.  d(psi - tau)/dtau with dpsi/dtau = 1/W, over delta^2, for small delta",
+    Limit(At(Derivative(psi - tau, tau), {Derivative(psi, tau): 1 / (1 + w_2 * x**2)}) / x**2, x, 0),
     -w_2,
 )
 step(

@@ -26,7 +26,10 @@ step = derivation.step
 
 x = A * cos(omega_0 * t)
 step(
-    "The velocity of the ansatz", sympy.Derivative(x, t), diff(A, t) * cos(omega_0 * t) - A * omega_0 * sin(omega_0 * t)
+    "The velocity of the ansatz",
+    sympy.Derivative(x, t),
+    diff(A, t) * cos(omega_0 * t) - A * omega_0 * sin(omega_0 * t),
+    corrects=("lancaster2020:claim.velocity-sign",),
 )
 slow = diff(A, t) / (omega_0 * A)
 bracket = 1 + slow**2 * cos(omega_0 * t) ** 2 - slow * sin(2 * omega_0 * t)
@@ -39,7 +42,12 @@ step(
 )
 eta = sympy.Symbol("eta")
 shape = k * size**2 / 2 * (1 + eta**2 * cos(theta) ** 2 - eta * sin(2 * theta))
-step("(6): at eta = (dA/dt)/(omega_0 A) -> 0 it is k A^2/2", At(shape, {eta: 0}), k * size**2 / 2)
+step(
+    "(6): at eta = (dA/dt)/(omega_0 A) -> 0 it is k A^2/2",
+    At(shape, {eta: 0}),
+    k * size**2 / 2,
+    corrects=("lancaster2020:claim.slow-dissipation",),
+)
 step(
     "the neglected part is of first order in eta; its mean over a period is of second order",
     sympy.Integral(shape, (theta, 0, 2 * sympy.pi)) / (2 * sympy.pi),
@@ -53,7 +61,12 @@ step(
     force * diff(path, t),
     proves=("lancaster2020:7",),
 )
-step("(8): d/dt of (6)", sympy.Derivative(k * A**2 / 2, t), k * A * diff(A, t))
+step(
+    "(8): d/dt of (6)",
+    sympy.Derivative(k * A**2 / 2, t),
+    k * A * diff(A, t),
+    corrects=("lancaster2020:claim.energy-derivative",),
+)
 
 sine = sympy.Symbol("s", positive=True)  # |sin(omega_0 t)|, with (9): |v| = A omega_0 s
 drag = -b * speed ** (alpha + 1)  # f(v) v for f = -b v|v|^(alpha-1)

@@ -37,6 +37,7 @@ step(
     "Its derivative, without A'' and A'^2: the phase of the second part turns, so both are of the order of k A A'",
     slope,
     k * a * r * (1 - cos(2 * theta)),
+    corrects=("lancaster2020:8",),
 )
 step(
     "that is, with s = |sin(theta)|, 2 s^2 k A A', not k A A' as (8) has it",

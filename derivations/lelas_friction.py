@@ -56,10 +56,20 @@ step(
     proves=("lelas2024:31",),
 )
 solution = 1 + slope * t
-step("(32) solves it", sympy.Derivative(solution, t), slope)
+step(
+    "(32) solves it",
+    sympy.Derivative(solution, t),
+    slope,
+    corrects=("lelas2024:claim.integrated-rate", "lelas2024:claim.slope-of-line", "lelas2024:claim.force-of-47"),
+)
 step("and f(0) = 1", At(solution, {t: 0}), sympy.Integer(1))
 end = sqrt(2) * omega_0 * x_0 / (mu * g)
-step("It ends at sqrt(2) omega_0 x_0/(mu g), with the root over the 2 alone", At(solution, {t: end}), sympy.Integer(0))
+step(
+    "It ends at sqrt(2) omega_0 x_0/(mu g), with the root over the 2 alone",
+    At(solution, {t: end}),
+    sympy.Integer(0),
+    corrects=("lelas2024:claim.stop-time-section-3", "lelas2024:claim.stop-time-section-5"),
+)
 inside = sqrt(2 * omega_0 * x_0 / (mu * g))
 step(
     "not at sqrt(2 omega_0 x_0/(mu g)), with the root over all: for x_0 = g = 1 and omega_0 = 2 mu f is still",
@@ -74,7 +84,7 @@ step(
 values = {mu: 1, m: sympy.Rational(3, 2), g: sympy.Rational(981, 100), k: 30, x_0: sympy.Rational(1, 5)}
 bound = (sqrt(2) * k * x_0 / (m * g)).subs(values)
 derivation.asserts(
-    "(50): 0.58 to two digits, for m = 3/2, k = 30, x_0 = 1/5, g = 9.81 in SI units",
+    "(50): 0.58 to two digits, for m = 3/2, k = 30, x_0 = 1/5, g = 981/100 in SI units",
     sympy.Lt(sympy.Abs(bound - sympy.Rational(58, 100), evaluate=False), sympy.Rational(1, 200), evaluate=False),
 )
 local = At(solution, {t: tau / omega_0, mu: epsilon * omega_0**2 * x_0 / g})

@@ -25,11 +25,13 @@ step(
     "(10)",
     sympy.Derivative(x1, t),
     -omega_0 * (x_0 * f * sin(omega_0 * t) - x_0 * diff(f, t) / omega_0 * cos(omega_0 * t)),
+    corrects=("lelas2024:10",),
 )
 step(
     "(11)",
     sympy.Derivative(x2, t),
     omega_0 * (x_0 * f * cos(omega_0 * t) + x_0 * diff(f, t) / omega_0 * sin(omega_0 * t)),
+    corrects=("lelas2024:claim.slope-small",),
 )
 v1, v2 = -omega_0 * x_0 * f * sin(omega_0 * t), omega_0 * x_0 * f * cos(omega_0 * t)
 printed = -omega_0 * (x_0 * f * sin(omega_0 * t) + x_0 * diff(f, t) / omega_0 * cos(omega_0 * t))
@@ -60,4 +62,17 @@ step(
     "(21): |df/dt| at the start, over omega_0, in k and m: small means b << 2 sqrt(k m)",
     At(-At(sympy.Derivative(solution, t), {t: 0}) / omega_0, {omega_0: sqrt(k / m)}),
     b / (2 * sqrt(k * m)),
+)
+theta = sympy.Symbol("theta", real=True)
+quarter = (theta, 0, sympy.pi / 2)
+step(
+    "(18) and (19) at once would say sin^2 = cos^2; their means over a quarter period, or several, are the same",
+    sympy.Tuple(*(sympy.Integral(wave(theta) ** 2, quarter) / (sympy.pi / 2) for wave in (sin, cos))),
+    sympy.Tuple(sympy.Rational(1, 2), sympy.Rational(1, 2)),
+    corrects=("lelas2024:claim.two-rates-contradict",),
+)
+step(
+    "Near miss: at an instant they are not, at a turning point the two rates differ by all of b f/m",
+    At(second - first, {t: 0}),
+    -b / m * f.subs(t, 0),
 )

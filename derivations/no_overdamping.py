@@ -41,7 +41,7 @@ step(
     At(y - e * w ** (1 + beta), {w: 0}),
     y,
 )
-s, T, w_c = sympy.symbols("s T w_c", positive=True)
+s, T, w_c, q, r = sympy.symbols("s T w_c q r", positive=True)
 path = sympy.Function("y")
 step(
     "So if y > 0 for ever: y falls from y_0, so it has a limit; the integral of w = -y' up to any T is y_0 - y(T),",
@@ -54,10 +54,13 @@ step(
     y,
 )
 step(
-    "or w would grow.  From some time on w = s w_c, s < 1, where with c = 1 e = w_c^(-beta): e w^beta < 1,"
-    " so N(w) <= w and w' >= y - w",
+    "or w would grow.  From some time on w = s w_c, s < 1, where with c = 1 e = w_c^(-beta): e w^beta is",
     At(e * w**beta, {e: w_c**-beta, w: s * w_c}),
     s**beta,
+)
+asserts(
+    "which is below 1: q = 1/(1 + r), r > 0.  So w' = y - w q exceeds y - w there",
+    sympy.Gt(At(y - w * q, {q: 1 / (1 + r)}), y - w, evaluate=False),
 )
 y_rate, w_rate = sympy.symbols("y' w'", real=True)
 polar = {y: R * sympy.cos(theta), w: R * sympy.sin(theta)}

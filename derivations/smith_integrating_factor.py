@@ -52,6 +52,7 @@ step(
     "so mu' = -2 s gamma mu, mu = e^{-2 s gamma x}: the upper sign of e^{-+ 2 gamma x} belongs to v < 0",
     sympy.Derivative(factor, x),
     -2 * s * gamma * factor,
+    corrects=("smith2012:claim.integrating-factors",),
 )
 step(
     "(38a): the form is now closed",
@@ -59,9 +60,14 @@ step(
     sympy.Derivative(factor * coefficient_dx, v),
 )
 S = factor * (v**2 / 2 - omega**2 / (2 * s * gamma) * (x + 1 / (2 * s * gamma)))
-step("(38b): S integrates it: the coefficient of dv", sympy.Derivative(S, v), factor * v)
+step("(38b): S integrates it: the coefficient of dv", sympy.Derivative(S, v), factor * v, corrects=("smith2012:38b",))
 step("and that of dx", sympy.Derivative(S, x), factor * coefficient_dx)
-step("S is constant along the motion", v * sympy.Derivative(S, x) + force * sympy.Derivative(S, v), 0)
+step(
+    "S is constant along the motion",
+    v * sympy.Derivative(S, x) + force * sympy.Derivative(S, v),
+    0,
+    corrects=("lelas2024:claim.not-analytically-solvable",),
+)
 step(
     "S^-(-x, -v) = S^+(x, v)",
     At(S, {s: 1, x: -x, v: -v}),
@@ -72,6 +78,7 @@ step(
     "(40) in u = gamma x, w = gamma v/omega, for v < 0",
     gamma**2 / omega**2 * At(S, {s: 1} | units),
     exp(-2 * u) * (w**2 / 2 - u / 2 - sympy.Rational(1, 4)),
+    corrects=("smith2012:40",),
 )
 step(
     "and for v > 0",

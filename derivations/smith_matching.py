@@ -41,11 +41,13 @@ step(
     "(48): S^+ after the first turning point, w = 0 at u_1.  The paper prints the other sign",
     At(S(s, u, w), {s: -1, u: u_1, w: 0}),
     exp(2 * u_1) * (u_1 / 2 - quarter),
+    corrects=("smith2012:48",),
 )
 step(
     "(47), S^- = S^+ + S_1, makes the sum continuous at u_1: (49), S_1.  The second term is (42), with + 1/4",
     Solution(S(1, u_0, 0), S(-1, u_1, 0) + S_1, S_1),
     -exp(2 * u_1) * (u_1 / 2 - quarter) - exp(-2 * u_0) * (u_0 / 2 + quarter),
+    corrects=("smith2012:49",),
 )
 
 # All half-cycles: s_n = (-1)^n, s_n u_n = r_n = |u_n|, s_n u_(n+1) = -r_(n+1).
@@ -53,8 +55,14 @@ step(
     "Half-cycle n runs from s u = r_n = |u_n| to s u = -r_{n+1}, s = (-1)^n.  S - S_n at its ends: (52a), s = 1",
     At(S(s, u, w), {s: 1, w: 0}),
     -quarter * exp(-2 * u) * (2 * u + 1),
+    corrects=("smith2012:52a", "smith2012:claim.second-cycle"),
 )
-step("and (52b), s = -1", At(S(s, u, w), {s: -1, w: 0}), quarter * exp(2 * u) * (2 * u - 1))
+step(
+    "and (52b), s = -1",
+    At(S(s, u, w), {s: -1, w: 0}),
+    quarter * exp(2 * u) * (2 * u - 1),
+    corrects=("smith2012:51", "smith2012:52b"),
+)
 step(
     "both are the same in r_n, for s = 1 and s = -1: S - S_n at the start, times s^2 = 1,",
     At(At(S(s, u, w), {u: r / s, w: 0}), {s: -1}),
@@ -73,6 +81,7 @@ step(
     " r cosh 2r - (sinh 2r)/2",
     end - At(S(s, u, w), {s: 1, u: r_next, w: 0}),
     jump,
+    corrects=("smith2012:table1.S3", "smith2012:table1.S5"),
 )
 step(
     "which is positive: it is 0 at r = 0 and grows at the rate 2 r sinh 2r, so the S_n rise",

@@ -5,7 +5,7 @@ Subs(V*gamma - omega**2*x, V, V_n(x)) = 2*E_n*gamma*exp(2*gamma*x) + omega**2/(2
 """
 
 import sympy
-from sympy import Derivative, Limit, atan, exp, pi, sqrt
+from sympy import Derivative, Limit, Rational, atan, exp, pi, sqrt
 
 from derivations.steps import At, Derivation, Solution, Taylor, defined
 
@@ -46,6 +46,7 @@ step(
     "(54): dx = v dt with v < 0, so dt/dx has the minus sign; (55), over |dx|, has the positive one",
     1 / At(v, {v: -sqrt(square(x))}),
     -1 / sqrt(square(x)),
+    corrects=("smith2012:54", "smith2012:55"),
 )
 
 # (69) -> (72): v = -r, r = sqrt(V_n).
@@ -54,13 +55,16 @@ step(
     At(gamma * V - omega**2 * x, {V: square(x)}),
     2 * gamma * E * exp(2 * gamma * x) + omega**2 / (2 * gamma),
 )
-step(
-    "the square of it and omega^2 v^2 together: 2 omega^2 E_n e^(2 gamma x) comes from each, so 4, where (72) prints 3",
-    At(omega**2 * V + (gamma * V - omega**2 * x) ** 2, {V: square(x)}),
+below = (
     4 * gamma**2 * E**2 * exp(4 * gamma * x)
     + 4 * omega**2 * E * exp(2 * gamma * x)
     + omega**4 * x / gamma
-    + 3 * omega**4 / (4 * gamma**2),
+    + 3 * omega**4 / (4 * gamma**2)
+)
+step(
+    "the square of it and omega^2 v^2 together: 2 omega^2 E_n e^(2 gamma x) comes from each, so 4, where (72) prints 3",
+    At(omega**2 * V + (gamma * V - omega**2 * x) ** 2, {V: square(x)}),
+    below,
 )
 time = atan(omega * v / y) + 2 * omega * gamma * v**3 / (3 * (omega**2 * v**2 + y**2))
 step(
@@ -84,6 +88,7 @@ step(
     "(71): n half-cycles, numbered from 0 as E_n and u_n are, are over when half-cycle n begins, at t =",
     sympy.Sum(pi / omega, (j, 0, n - 1)),
     n * pi / omega,
+    corrects=("smith2012:71",),
 )
 small = sympy.Symbol("lambda", positive=True)
 step(
@@ -100,3 +105,12 @@ step(
     ),
     omega,
 )  # fmt: skip
+whole = At(At(time, {v: -r, y: gamma * V - omega**2 * x}), {V: square(x), r: sqrt(square(x))})
+step(
+    "(72) in one: the right side of (69), arctan(...) + (2/3)(...) with v = -r, y and V_n put in, is, less the"
+    " arctangent,",
+    whole
+    - At(atan(-omega * r / y), {y: 2 * gamma * E * exp(2 * gamma * x) + omega**2 / (2 * gamma), r: sqrt(square(x))}),
+    -2 * gamma * omega * square(x) ** Rational(3, 2) / (3 * below),
+    corrects=("smith2012:72",),
+)

@@ -37,6 +37,7 @@ step(
     "One integration by parts: d(w/D) - dtau = w dD/D^2 with the sign of (56b)",
     slope(w / D) - 1,
     -w * slope(D) / D**2,
+    corrects=("smith2012:56b",),
 )
 
 speed = 1 - 2 * w * z + z**2
@@ -121,4 +122,15 @@ step(
     "Together: d/dtau of the sum to n = 7 is 1 + O(z^7)",
     Taylor(w / z * sympy.Derivative(total, w) + speed * sympy.Derivative(total, z), z, 6),
     sympy.Integer(1),
+)
+step(
+    "(56c) is (56b) with dx eliminated, and w/D stays before it: the integrand w dD/D^2 over dw, with dw/dtau = D, is",
+    w * slope(D) / (D**2 * slope(w)),
+    2 * w**2 / D**2 - w**2 / D**3,
+    corrects=("smith2012:56c",),
+)
+step(
+    "Near miss: what the supplied (56c) begins with, D for w/D, has another rate, too large by",
+    slope(D) - slope(w / D),
+    2 * w * D - w - 1 + w * (2 * w * D - w) / D**2,
 )

@@ -113,3 +113,25 @@ step(
     At(energy, {q: exp(-u), rate: -w * exp(-u)}),
     S,
 )
+
+# Two ways to solve (43) by iteration, g(u) = c, c = g(u_0), for the root u_1 in (-1/2, 0).
+c = sympy.Symbol("c", positive=True)
+forward = defined("h", lambda place, level: (level * exp(2 * place) - 1) / 2)
+step("(43), g(u) = c, is u = h(u) = (c e^{2u} - 1)/2: with c = g(u)", At(forward(u, c), {c: g_of(u)}), u)
+step("At the root the slope of h is", At(sympy.Derivative(forward(u, c), u), {c: g_of(u)}), 1 + 2 * u)
+asserts(
+    "between 0 and 1 there, as -1/2 < u_1 = -1/(2(1 + r)) < 0: the iteration u -> h(u) converges",
+    sympy.Gt(At(1 + 2 * u, {u: -half / (1 + inner)}), 0, evaluate=False),
+    sympy.Lt(At(1 + 2 * u, {u: -half / (1 + inner)}), 1, evaluate=False),
+    corrects=("smith2012:claim.iterations",),
+)
+step(
+    "from u = 0 on: h rises, and between u_1 and 0, where g(u) > c, it falls below u and not below u_1 = h(u_1):",
+    forward(u, c) - u,
+    exp(2 * u) * (c - g_of(u)) / 2,
+)
+step(
+    "Near miss: the other way, u = (1/2) ln((2u + 1)/c), has the slope 1/(1 + 2u), larger than 1: it runs away",
+    sympy.Derivative(log((2 * u + 1) / c) / 2, u),
+    1 / (1 + 2 * u),
+)

@@ -54,8 +54,8 @@ __all__ = ["At", "Coefficient", "Derivation", "Solution", "Step", "Taylor", "def
 class Step:
     """One displayed line: ``left = right``, ``left := right``, or relations alone (``right`` is None).
 
-    ``proves`` are the ids of the papers' statements that this line proves, with the lines above it; ``kind`` is
-    "equality", "relation" or "definition".
+    ``proves`` are the ids of the papers' statements that this line proves, with the lines above it; ``corrects`` those
+    that fail, where this line has what is true instead; ``kind`` is "equality", "relation" or "definition".
     """
 
     reason: str
@@ -63,6 +63,7 @@ class Step:
     right: sympy.Basic | None = None
     proves: tuple[str, ...] = ()
     kind: str = "equality"
+    corrects: tuple[str, ...] = ()
 
     def latex(self) -> str:
         """The line in LaTeX."""
@@ -98,7 +99,14 @@ class Derivation:
         ours = getattr(sys.modules.get(module), "derivation", None) is self
         return (_of_module, (module,)) if ours else super().__reduce_ex__(protocol)
 
-    def step(self, reason: str, left: sympy.Basic, right: sympy.Basic, proves: tuple[str, ...] = ()) -> None:
+    def step(
+        self,
+        reason: str,
+        left: sympy.Basic,
+        right: sympy.Basic,
+        proves: tuple[str, ...] = (),
+        corrects: tuple[str, ...] = (),
+    ) -> None:
         """Display ``left = right``; AssertionError if they are not equal, printed alike, or a name and its value."""
         left, right = exact(left), exact(right)
         if (remainder := difference(left, right)) != 0:
@@ -107,7 +115,7 @@ class Derivation:
             raise AssertionError(f"{self._where(reason)}: both sides are printed as {left}")
         if is_name(left) or is_name(right):
             raise AssertionError(f"{self._where(reason)}: {left} = {right} says what a name stands for: `defines`")
-        self.steps.append(Step(reason, left, right, proves))
+        self.steps.append(Step(reason, left, right, proves, corrects=corrects))
 
     def defines(self, reason: str, name: str | sympy.Expr, value: sympy.Basic) -> sympy.Expr:
         """Display ``name := value`` and return the name, which stands for the value from here on; it proves nothing.
@@ -126,7 +134,13 @@ class Derivation:
         self.steps.append(Step(reason, left, value, kind="definition"))
         return left
 
-    def asserts(self, reason: str, *relations: sympy.core.relational.Relational, proves: tuple[str, ...] = ()) -> None:
+    def asserts(
+        self,
+        reason: str,
+        *relations: sympy.core.relational.Relational,
+        proves: tuple[str, ...] = (),
+        corrects: tuple[str, ...] = (),
+    ) -> None:
         """Display relations, built with ``evaluate=False``; AssertionError if one is not true as displayed.
 
         >>> x = sympy.Symbol("x", positive=True)
@@ -149,7 +163,7 @@ class Derivation:
             if not established(exact(relation)):
                 raise AssertionError(f"{self._where(reason)}: {relation} is not established")
         shown = relations[0] if len(relations) == 1 else sympy.Tuple(*relations)
-        self.steps.append(Step(reason, shown, None, proves, "relation"))
+        self.steps.append(Step(reason, shown, None, proves, "relation", corrects))
 
     def _where(self, reason: str) -> str:
         return f"{self.name}, step {len(self.steps) + 1} ({reason})"
@@ -164,6 +178,7 @@ class Derivation:
                 "right": None if s.right is None else text(s.right),
                 "latex": s.latex(),
                 "proves": list(s.proves),
+                "corrects": list(s.corrects),
             }
             for s in self.steps
         ]

@@ -1,7 +1,7 @@
 """Two laws: the time integral (20) by 2F1, its companion, where each breaks down, (21), (22), elementary cases.
 
->>> derivation.steps[-1].reason
-'(1,3)'
+>>> derivation.steps[-5].reason
+'(3,4)'
 """
 
 import sympy
@@ -84,7 +84,12 @@ lam = x_0 / (c + d * x_0)
 A = c * lam * exp(-c * tau) / (1 - lam * d * exp(-c * tau))
 step("(21) with tau = t/(pi k) solves dA/dtau = -c A - c' A^2", sympy.Derivative(A, tau), -c * A - d * A**2)
 step("and starts at x_0", At(A, {tau: 0}), x_0)
-step("(22): the limit of A e^{c tau}", sympy.Limit(A * exp(c * tau), tau, sympy.oo), x_0 / (1 + d / c * x_0))
+step(
+    "(22): the limit of A e^{c tau}",
+    sympy.Limit(A * exp(c * tau), tau, sympy.oo),
+    x_0 / (1 + d / c * x_0),
+    corrects=("lancaster2020:22",),
+)
 b, b_prime, m, omega_0 = sympy.symbols("b b_prime m omega_0", positive=True)
 ratio = named("c'", 4 * b_prime * omega_0 * k / (3 * m)) / named("c", sympy.pi * b * k / (2 * m))
 step("c'/c = 8 b' omega_0/(3 b pi)", ratio, 8 * b_prime * omega_0 / (3 * b * sympy.pi))
@@ -95,6 +100,28 @@ elementary = {
     (1, 2): log((c + d * x) / x) / c,
     (2, 3): 1 / (c * x) - d / c**2 * log((c + d * x) / x),
     (1, 3): log((c + d * x**2) / x**2) / (2 * c),
+    (3, 4): 1 / (2 * c * x**2) - d / (c**2 * x) + d**2 / c**3 * log((c + d * x) / x),
 }
 for (low, high), time in elementary.items():
     step(f"({low},{high})", -sympy.Derivative(time, x), 1 / (c * x**low + d * x**high))
+
+# Which of two laws decides at late times.
+p, q = sympy.symbols("p q", positive=True)
+step(
+    "As x -> 0 the smaller exponent decides: c x^alpha + c' x^(alpha+p) over c x^alpha alone tends to",
+    sympy.Limit((c * x**alpha + d * x ** (alpha + p)) / (c * x**alpha), x, 0, "+"),
+    1,
+)
+step(
+    "so the time to x tends to that of c x^alpha alone, for alpha = 2 + q x^(-1-q)/((1+q) c): x falls like"
+    " tau^(-1/(1+q)), more slowly than 1/tau, whenever all exponents exceed 2",
+    -sympy.Derivative(x ** (-1 - q) / ((1 + q) * c), x),
+    1 / (c * x ** (2 + q)),
+    corrects=("lancaster2020:claim.single-term-slow",),
+)
+step("(3,4) is such a sum: 2 c tau x^2 tends to", sympy.Limit(2 * c * x**2 * elementary[3, 4], x, 0, "+"), 1)
+step(
+    "Near miss: beside a term with an exponent of 2, (2,3), it is c tau x that does: 1/tau",
+    sympy.Limit(c * x * elementary[2, 3], x, 0, "+"),
+    1,
+)

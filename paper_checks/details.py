@@ -26,12 +26,18 @@ def in_words(entry: Entry) -> str:
         ("digits", s.digits),
         ("outcomes", outcomes),
         ("near miss", None if s.near_miss is None else textwrap.shorten(str(s.near_miss), 300)),
-        ("proved by" if s.line else "derivation", s.derivation and _derivation(s)),
+        (_linked(entry), s.derivation and _derivation(s)),
         ("seconds", f"{entry.seconds:.2f}"),
     ]
     width = max(len(name) for name, _ in rows)
     lines = [f"{s.id}: {s.title}", *(f"{name:{width}}  {value}" for name, value in rows if value)]
     return "\n".join([*lines, "", *_source(entry)])
+
+
+def _linked(entry: Entry) -> str:
+    if entry.statement.line is None:
+        return "derivation"
+    return "proved by" if entry.derived else "truth at"
 
 
 def _derivation(s: Statement) -> str:

@@ -25,6 +25,7 @@ BRANCH = re.compile(r"(\\hatS|S) *\^\{?([-+])\}?")
 PRIVATE = re.compile("[\ue000-\uf8ff]")
 ARROW = re.compile(r"\\xrightarrow\{(.*?) \\gg 1\}")
 BETA = re.compile(r"B\\left[(\[](.*?),(.*?)\\right[)\]]")
+HYPER = re.compile(r"\{\}_2F_1\\left\((.*?),(.*?);(.*?);(.*?)\\right\)")
 
 Display = tuple[list[tuple[str, list[str]]], list[str]]
 """Members, each with what stands beside it (limits, words, a condition), and the relation signs between them."""
@@ -41,7 +42,7 @@ def displays_of(latex: str, key: str, reading: Reading) -> Iterator[Display]:
     kept = () if reading.differentials else ((DIFFERENTIAL, " 1 "),)
     for pattern, instead in ((CASE, ""), (WORDS, "="), (LIMITS, r"\int "), (SUMS, r"\int "), *kept, (TAIL, "")):
         text = aside.set(pattern, instead, text)
-    text = BETA.sub(r"\\B{\1}{\2}", ARROW.sub(r"\\to \1 \\to", text))
+    text = BETA.sub(r"\\B{\1}{\2}", ARROW.sub(r"\\to \1 \\to", HYPER.sub(r"\\hyper{\1}{\2}{\3}{\4}", text)))
     text = re.sub(r"\\begin\{cases\}|\\end\{cases\}|\\\\", "=", text)
     for upper, lower in (("-", "+"), ("+", "-")) if re.search(r"\\(mp|pm)", text) else (("-", "+"),):
         signed = BRANCH.sub(_branch, text.replace(r"\mp", upper).replace(r"\pm", lower))

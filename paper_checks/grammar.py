@@ -20,7 +20,9 @@ FUNCTIONS = {
     r"\ln": sympy.log,
     r"\tan^{-1}": sympy.atan,
     r"\exp": sympy.exp,
+    r"\Gamma": sympy.gamma,
 }
+HYPERGEOMETRIC = sympy.Function("F", positive=True)  # 2F1 of its four arguments, of which no value is taken
 CLOSING = {"(": ")", "[": "]", "{": "}"}
 
 
@@ -115,6 +117,12 @@ def _atom(tokens: list[str], symbols: dict[str, sympy.Symbol]) -> Read:
         first, rest = _argument(rest, symbols)
         second, rest = _argument(rest, symbols)
         return sympy.gamma(first) * sympy.gamma(second) / sympy.gamma(first + second), rest
+    if head == r"\hyper":
+        given = []
+        for _ in range(4):
+            argument, rest = _argument(rest, symbols)
+            given.append(argument)
+        return HYPERGEOMETRIC(*given), rest
     if head == "d" and rest and re.fullmatch("[vxt]'?", rest[0]):
         return symbols.get("d" + rest[0], sympy.S.One), rest[1:]
     if head == "e" and rest[:1] == ["^"]:

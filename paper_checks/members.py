@@ -65,6 +65,11 @@ MEMBERS: dict[str, Members] = {
     "lancaster2020:18": Members((r"kA\dotA",)),
     "lancaster2020:19": _shown(r"kA\dotA \simeq #1"),
     "lancaster2020:20": _shown(r"\int_{x_0}^{A} \frac{dA}{cA^\alpha + c'A^{\alpha'}} \simeq #1"),
+    "lancaster2020:fn22": Members((r"\frac{1}{cX^{\alpha} + c'X^{\alpha'}}",), ("dt",)),
+    "lancaster2020:fn22 corrected": Members(
+        (r"\frac{1}{cX^{\alpha} + c'X^{\alpha'}}",),
+        ("dt", r",\quad\frac{\alpha'-1}{\alpha'-\alpha}\neq0,-1,-2,\ldots"),
+    ),
     "lancaster2020:22": _shown(r"A \xrightarrow{#2 \gg 1} #1"),
     "lancaster2020:21": _shown(r"A \simeq #1"),
     **_names("lelas2024", _1="ma", _2="F_d", _3="F_d", _5="F_d", _6="E", _8="x_1", _9="x_2",

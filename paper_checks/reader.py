@@ -12,9 +12,10 @@ A formula is *read in part* if each expression of the form is identically one of
 which letters stand for what.  It is *wholly read* if moreover nothing is left over: ``members`` says what stands beside
 the form.  What the reader does not know (sums over components, forms that are a sign or an interval, words) has been
 compared by hand, twice, and is listed in ``compared.json``.  For every statement, read or not, that ledger has a digest
-of all that is printed (LaTeX, title, conditions, notes, methods) and of the forms, written by ``python -m paper_checks
---compared`` after the comparison: until they are compared again, a change of any of them fails the test, and the run
-of the check reports the statement as open.  The numbers in notes are computed as well, in ``quoted``.
+of all that is shown (LaTeX, title, conditions, notes, methods, near misses in words) and of the forms, written by
+``python -m paper_checks --compared`` after the comparison: until they are compared again, a change of any of them fails
+the test, and the run of the check reports the statement as open.  The numbers in notes are computed as well, in
+``quoted``.
 """
 
 import hashlib
@@ -34,11 +35,12 @@ from sympy.core.function import AppliedUndef
 
 from paper_checks.displays import Display, displays_of
 from paper_checks.forms import DECIMAL
-from paper_checks.grammar import MARK, UnreadableError, read
+from paper_checks.grammar import HYPERGEOMETRIC, MARK, UnreadableError, read
 from paper_checks.identities import vanishes
 from paper_checks.members import MEMBERS, Members
+from paper_checks.near_misses import LEFT, WORDS
 from paper_checks.readings import READINGS, Reading
-from paper_checks.registry import Statement
+from paper_checks.registry import FOLLOW_UPS, IDENTIFIERS, PAPERS, Statement
 from paper_checks.verdict import Outcome
 
 LEDGER = Path(__file__).parent / "compared.json"
@@ -192,8 +194,8 @@ def _expressions(form: Any, parts: tuple[int, ...]) -> list[sympy.Expr]:
 
 
 def _plain(form: sympy.Expr) -> sympy.Expr:
-    """v(x) as v, its derivative as v_x; f(n) and its derivative df(n) as f_n and g_n."""
-    functions = form.atoms(AppliedUndef)
+    """v(x) as v, its derivative as v_x; f(n) and its derivative df(n) as f_n and g_n; 2F1 as it is."""
+    functions = {f for f in form.atoms(AppliedUndef) if f.func != HYPERGEOMETRIC}
     indexed = {"f": "f", "df": "g"}
     letters = {d: _letter_of(f"{d.expr.func}_{d.variables[0]}") for d in form.atoms(sympy.Derivative)}
     for function in functions:
@@ -277,16 +279,36 @@ def digest(entry: Statement) -> str:
         entry.conditions,
         entry.note,
         entry.slip,
+        entry.variables,
+        entry.extent,
+        f"{entry.digits} {entry.order}",
+        WORDS.get(entry.id, ""),
+        LEFT.get(entry.id, ""),
         *entry.methods,
     )
-    return hashlib.sha256("\n".join([*said, *forms]).encode()).hexdigest()[:16]
+    return _digest(*said, *forms)
+
+
+def references() -> dict[str, str]:
+    """Digests of the references to the papers, of their identifiers, and of the later papers that are named."""
+    return {
+        "papers": _digest(repr(PAPERS)),
+        "identifiers": _digest(repr(IDENTIFIERS)),
+        "later": _digest(repr(FOLLOW_UPS)),
+    }
+
+
+def _digest(*texts: str) -> str:
+    return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:16]
 
 
 def _said(form: Any) -> str:
-    return inspect.getsource(form) if inspect.isfunction(form) else str(form)
+    if isinstance(form, tuple):
+        return f"({', '.join(map(_said, form))})"
+    return inspect.getsource(form) if inspect.isfunction(form) else repr(form)
 
 
-BY_HAND = "compared by hand"
+BY_HAND, REFERENCES = "compared by hand", "references"
 SORTS = (Tie.WHOLE, Tie.PART, BY_HAND)
 
 
@@ -315,4 +337,5 @@ def written(entries: Iterable[Statement]) -> str:
     for entry in entries:
         sort = how_read(entry)
         known[str(sort) if sort in SORTS else BY_HAND][entry.id] = digest(entry)
+    known[REFERENCES] = references()
     return json.dumps(known, indent=1) + "\n"

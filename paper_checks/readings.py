@@ -74,6 +74,7 @@ READINGS: dict[str, Reading] = {
     "lancaster2020:19": Reading(((r"\abs{\sin^{\alpha+1}(\omega_0 t)}", r"s^{\alpha+1}"),
                                  (r"\abs{\sin^{\alpha'+1}(\omega_0 t)}", r"s^{\alpha'+1}"))),
     "lancaster2020:20": Reading(unit="-t"),
+    "lancaster2020:fn22": Reading(((r"\frac{dx}", r"\frac{dt}"), ("x", "X")), parts=(0,)),
     "lancaster2020:21": Reading(((r"\lambda", r"\frac{x_0}{c+c'x_0}"),)),
     **dict.fromkeys((f"lelas2024:value.{name}-{panel}" for name in ("tau", "tau-tilde", "tau-exact") for panel in "ab"),
                     Reading(((r"\,\mathrm{s}", ""),), parts=(0,))),

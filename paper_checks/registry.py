@@ -36,6 +36,7 @@ from functools import partial
 from importlib import import_module
 from typing import Any
 
+from derivations.steps import Step
 from paper_checks.dimensions import dimensionally_false
 from paper_checks.evidence import Difference, Marks
 from paper_checks.forms import guarded
@@ -117,8 +118,9 @@ class Statement:
 
     ``latex`` and ``printed`` are what the paper prints; ``corrected_latex`` and ``corrected`` what is true instead;
     ``near_miss`` a nearby false form.  ``conditions`` are sufficient for the true form; "none" is written out.
-    ``derivation`` names a script of ``derivations/`` to read beside it; only with ``line`` does it prove the statement:
-    that line must say so (``proves``), and the derivation must run.  ``extent`` says how far a sample reaches.
+    ``derivation`` names a script of ``derivations/`` to read beside it, and ``line`` a line of it, which must say why:
+    that it proves the statement (``proves``; the derivation must run), or that it has what is true instead of one that
+    fails (``corrects``; it lifts no label).  ``extent`` says how far a sample reaches.
     ``digits`` counts certified digits where a number is stated; ``order`` is the order of convergence of an
     approximation ("0" if its error does not vanish).  ``premises`` are the places of a form that say what is asked, not
     what is claimed: a form with another premise is about something else.  ``paraphrase`` marks a LaTeX that says in our
@@ -215,12 +217,24 @@ def load(paper: str | None = None) -> dict[str, Statement]:
     return {entry.id: entry for _, entry in ordered if paper in (None, entry.paper)}
 
 
+def named_line(s: Statement) -> Step | None:
+    """The line of a derivation, which is run, that the statement names; None if there is none."""
+    if s.derivation is None or s.line is None:
+        return None
+    steps = import_module("derivations." + s.derivation.replace("-", "_")).derivation.steps
+    return steps[s.line - 1] if 1 <= s.line <= len(steps) else None
+
+
 def proved_by_line(s: Statement) -> bool:
     """Whether the named line of the named derivation, which is run, says that it proves the statement."""
-    if s.derivation is None or s.line is None:
-        return False
-    steps = import_module("derivations." + s.derivation.replace("-", "_")).derivation.steps
-    return 1 <= s.line <= len(steps) and s.id in steps[s.line - 1].proves
+    step = named_line(s)
+    return step is not None and s.id in step.proves
+
+
+def corrected_by_line(s: Statement) -> bool:
+    """Whether that line has what is true instead of the statement: says so, or proves that the statement fails thus."""
+    step = named_line(s)
+    return step is not None and s.id in step.proves + step.corrects
 
 
 @dataclass(frozen=True)
@@ -293,6 +307,7 @@ class Entry:
             "note": s.note,
             "derivation": s.derivation,
             "line": s.line,
+            "derived": self.derived,
             "paraphrase": s.paraphrase,
             "shortfall": s.shortfall and str(s.shortfall),
             "slip": s.slip,

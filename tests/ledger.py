@@ -1,106 +1,170 @@
 """The ledger of trust, ``docs/trust.md``: what each answer rests on, found by asking; ``python -m tests.ledger``.
 
-A cell is what the library answers for a law of the class: with a certificate, certified, an estimate, or refused.
+Every command is asked, as the shell asks it, for a law of each class; a cell is what it answers: with a certificate,
+certified, exact, an estimate, refused, or - where the command has no such option.
 """
 
+import shlex
+import tempfile
+from functools import cache
 from pathlib import Path
 
-import asymptotics as asy
-from asymptotics.certificates.of_results import of_states, of_turning_points
+from asymptotics.ask.answers import Request
+from asymptotics.ask.registry import loaded
+from asymptotics.ask.typed import Answered, parser_of
 from asymptotics.errors import InputError, UndecidedError
 
 PAGE = Path(__file__).parents[1] / "docs" / "trust.md"
+CERTIFICATE, CERTIFIED, EXACT, BOUND, ESTIMATE, REFUSED, NONE = (
+    "**certificate**", "certified", "exact", "estimate, bound proved", "estimate", "refused", "-",
+)  # fmt: skip
 LAWS = {
-    "dry friction": asy.Oscillator({0: "3/100"}),
-    "linear": asy.Oscillator({1: "1/10"}),
-    "quadratic": asy.Oscillator({2: "1/10"}),
-    "another rational power": asy.Oscillator({"3/2": "1/10"}),
-    "an irrational power": asy.Oscillator({"sqrt(2)": "1/10"}),
-    "a sum of powers": asy.Oscillator({1: "1/20", 2: "1/10"}),
-    "a sum with dry friction": asy.Oscillator({0: "1/50", 2: "1/10"}),
-    "a start in motion": asy.Oscillator({2: "1/10"}, v0="1/3"),
-    "air and a spring x^3": asy.Oscillator({2: "1/10"}, spring={3: "1/10"}),
-    "a pendulum in air": asy.Oscillator({2: "1/10"}, spring="pendulum"),
-    "a loss that knows the place": asy.Oscillator({(1, 2): "1/10"}),
-    "gains": asy.Oscillator({2: "-1/10"}),
+    "dry friction": "--law 0:3/100",
+    "linear": "--law 1:1/10",
+    "quadratic": "--law 2:1/10",
+    "another rational power": "--law 3/2:1/10",
+    "an irrational power": "--law 'sqrt(2):1/10'",
+    "a sum of powers": "--law 1:1/20 --law 2:1/10",
+    "a sum with dry friction": "--law 0:1/50 --law 2:1/10",
+    "a start in motion": "--law 2:1/10 --mass 1 --v0 1/3",
+    "air and a spring x^3": "--law 2:1/10 --spring 3:1/10",
+    "a pendulum in air": "--law 2:1/10 --spring pendulum",
+    "a loss that knows the place": "--law 1,2:1/10",
+    "gains": "--law 2:-1/10",
+    "gains and losses": "--law 1:-1 --law 1,2:1",
+}
+SINGLE = {"dry friction": "0", "linear": "1", "quadratic": "2", "another rational power": "3/2"}
+GROUPS = {
+    "Digits of the motion": (
+        "turning-points --count 3 --digits 8 --times",
+        "motion --reference --time 5 --digits 8",
+        "table turning-points --rows 3 --digits 8",
+        "compare FILE --digits 9",
+    ),
+    "Approximations": (
+        "motion --order 2 --time 5",
+        "motion --order 2 --time 5 --bound",
+        "solution --order 2",
+        "envelope --digits 8",
+        "damping --digits 6",
+    ),
+    "Coefficients": (
+        "expand --order 2 --digits 8",
+        "half-swing --order 2 --digits 8",
+        "multiple-scales --order 2",
+        "limit-cycle --order 2 --digits 6",
+        "stokes --digits 5",
+    ),
+}
+WITHOUT_LAW = {
+    "moment --p 5/2": "balls (`certified_zero`: exact where it is rational)",
+    "smith f --n 7": "exact rational arithmetic",
+    "derive landing": "each line decided by SymPy, most of them identities; asked of balls where they are inequalities",
+    "papers smith2012:43": "the verdict of each statement, with its evidence: proved, certified, measured",
+}
+"""What it rests on, by the request."""
+OTHERS = {
+    "identify": "statistics in doubles; with a resolution of the data a certified set, in balls",
+    "sweep": "what the command that is swept rests on, row by row",
+}
+RESTS = {
+    "turning-points": "balls: `turning-point-majorant`, `taylor-residual`, `motions-never-part`; springs:"
+    " `wells-majorant`, `wells-distance`",
+    "motion --reference": "the same balls; closed forms: exact identities, evaluated in balls",
+    "table": "what each table says of its route (`asymptotics table --list`)",
+    "compare": "the certified side: what the command of the same numbers rests on",
+    "motion": "a series that diverges: its error is measured, unless `--bound` proves one (`uniform-bound`,"
+    " `explicit-bound`)",
+    "solution": "the same series, explicit in the slow time: O(epsilon^N), not bounded",
+    "envelope": "the averaged law in balls (`lancaster-envelope`): certified for it, and it approximates the motion",
+    "damping": "the energy of a half-swing, in balls, between certified turning points",
+    "expand": "formal series: whole exponents exact, others in balls (`quarter-swing-tail`)",
+    "half-swing": "the same",
+    "multiple-scales": "exact: each order's equation is put back by SymPy",
+    "limit-cycle": "formal series, exact; at a strength mu balls",
+    "stokes": "balls (`abel-petal`)",
 }
 
 
-def _word(found):
-    return CERTIFIED if found.certified else ESTIMATE
+@cache
+def _file() -> str:
+    path = Path(tempfile.mkdtemp()) / "mine.csv"
+    path.write_text("n,x\n1,-0.8\n")
+    return str(path)
 
 
-def turning_points(oscillator):
-    """Places and times of turning points."""
-    table = asy.turning_points(oscillator, 3, digits=8, times=True)
-    return _word(table), lambda: of_turning_points(oscillator, table)
+def asked(words: str) -> Answered | None:
+    """The request, as the shell asks it; None where the command has no such option."""
+    name, *rest = shlex.split(words.replace("FILE", _file()))
+    question = loaded(name)
+    known = {option.name for option in question.options}
+    if any(word.startswith("--") and word[2:] not in known for word in rest):
+        return None
+    options = parser_of(name).parse_args(rest)
+    request = Request(question.of_options(options), options)
+    question.offers.typed(request)
+    of_shell = question.offers.of_shell
+    found = question.function(**request.values) if of_shell is None else of_shell(request)
+    return Answered(question, request, found)
 
 
-def reference(oscillator):
-    """x and x' at a time, by reference."""
-    point = asy.reference(oscillator).at("5", digits=8)
-    return _word(point), lambda: of_states(oscillator, [("5", point)], 8)
-
-
-def motion(oscillator):
-    """x and x' at a time, by the expansion."""
-    return _word(asy.motion(oscillator, order=2).at(5)), None
-
-
-def expansion(oscillator):
-    """The amplitude and phase equations."""
-    return asy.expand(oscillator.dimensionless, order=2).to_dict()["arithmetic"], None
-
-
-ANSWERS = {
-    "turning points": (
-        turning_points,
-        "balls: `turning-point-majorant`, `taylor-residual`, `motions-never-part`; springs: `wells-majorant`,"
-        " `wells-distance`",
-    ),
-    "x(t) by reference": (reference, "the same balls; closed forms: exact identities, evaluated in balls"),
-    "x(t) by expansion": (
-        motion,
-        "a series that diverges: its error is measured, unless `--bound` proves one (`uniform-bound`,"
-        " `explicit-bound`)",
-    ),
-    "amplitude and phase equations": (
-        expansion,
-        "formal series: whole exponents exact, others in balls (`quarter-swing-tail`)",
-    ),
-}
-CERTIFICATE, CERTIFIED, ESTIMATE, REFUSED = "**certificate**", "certified", "estimate", "refused"
-
-
-def cell(answer, oscillator):
-    """What the answer rests on for this motion."""
+def cell(words: str) -> str:
+    """What the answer to a request rests on."""
     try:
-        word, make = answer(oscillator)
+        answer = asked(words)
+        if answer is None:
+            return NONE
+        return CERTIFICATE if _has_certificate(answer) else _word(answer)
     except (InputError, UndecidedError):
         return REFUSED
-    if word != CERTIFIED or make is None:
-        return word
+
+
+def _has_certificate(answer: Answered) -> bool:
+    make = answer.question.offers.certificate
     try:
-        return CERTIFICATE if make().proved else CERTIFIED
+        return make is not None and bool(make(answer.found, answer.request).proved)
     except InputError:
-        return CERTIFIED
+        return False
 
 
-def table():
-    """The rows of the page: a class of laws, and a cell for each answer."""
-    lines = ["| motion | " + " | ".join(ANSWERS) + " |", "|---" * (len(ANSWERS) + 1) + "|"]
-    for name, oscillator in LAWS.items():
-        cells = [cell(answer, oscillator) for answer, _ in ANSWERS.values()]
-        lines.append(f"| {name} | " + " | ".join(cells) + " |")
-    rests = ["| answer | rests on, where there is no certificate |", "|---|---|"]
-    rests += [f"| {name} | {words} |" for name, (_, words) in ANSWERS.items()]
-    return "\n".join([*lines, "", *rests])
+def _word(answer: Answered) -> str:
+    data = answer.data
+    if data.get("bound") is not None:
+        return BOUND
+    if data.get("arithmetic") == "exact" or (answer.question.name == "multiple-scales"):
+        return EXACT
+    return CERTIFIED if answer.certified else ESTIMATE
 
 
-def page():
+def _of_law(words: str, name: str) -> str:
+    if not words.startswith("stokes"):
+        return cell(f"{words} {LAWS[name]}")
+    return cell(f"{words} --alpha {SINGLE[name]}") if name in SINGLE else NONE
+
+
+def tables() -> str:
+    """All tables of the page."""
+    lines: list[str] = []
+    for title, columns in GROUPS.items():
+        heads = [words.partition(" --digits")[0].removesuffix(" FILE") for words in columns]
+        lines += [
+            f"## {title}",
+            "",
+            f"| motion | {' | '.join(f'`{h}`' for h in heads)} |",
+            "|---" * (len(heads) + 1) + "|",
+        ]
+        lines += [f"| {name} | {' | '.join(_of_law(words, name) for words in columns)} |" for name in LAWS]
+        lines.append("")
+    lines += ["## What they rest on, where there is no certificate", "", "| command | rests on |", "|---|---|"]
+    lines += [f"| `{name}` | {words} |" for name, words in RESTS.items()]
+    lines += [f"| `{words}` | {rests} |" for words, rests in WITHOUT_LAW.items() if asked(words) is not None]
+    return "\n".join([*lines, *(f"| `{name}` | {words} |" for name, words in OTHERS.items())])
+
+
+def page() -> str:
     """The whole page."""
     head, _, rest = PAGE.read_text(encoding="utf-8").partition("<!-- ledger -->\n")
-    return f"{head}<!-- ledger -->\n{table()}\n<!-- end of ledger -->{rest.partition('<!-- end of ledger -->')[2]}"
+    return f"{head}<!-- ledger -->\n{tables()}\n<!-- end of ledger -->{rest.partition('<!-- end of ledger -->')[2]}"
 
 
 if __name__ == "__main__":

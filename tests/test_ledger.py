@@ -1,18 +1,50 @@
-"""The ledger of trust says what is answered."""
+"""The ledger of trust says what is answered, of every command."""
 
-from tests.ledger import ANSWERS, LAWS, PAGE, cell, page
+import re
+
+import pytest
+
+from asymptotics.ask.registry import QUESTIONS
+from derivations.__main__ import names
+from tests import ledger
+from tests.ledger import CERTIFICATE, CERTIFIED, GROUPS, LAWS, OTHERS, PAGE, REFUSED, RESTS, WITHOUT_LAW, cell, page
 
 
 def test_the_page_is_what_is_answered():
     assert PAGE.read_text(encoding="utf-8") == page(), "python -m tests.ledger rewrites it"
 
 
+def test_every_command_is_in_it():
+    asked = {words.split()[0] for columns in GROUPS.values() for words in columns}
+    assert {name.split()[0] for name in RESTS} == asked
+    assert asked | {words.split()[0] for words in WITHOUT_LAW} | set(OTHERS) == set(QUESTIONS)
+
+
+def test_the_derivations_that_it_names_exist():
+    named = {name for words in RESTS.values() for name in re.findall(r"`([a-z]+(?:-[a-z]+)+)`", words)}
+    assert len(named) > 5 and named <= set(names())
+
+
+WORDS = f"turning-points --count 3 --digits 8 {LAWS['quadratic']}"
+
+
 def test_an_answer_that_drifts_is_noticed(monkeypatch):
-    """Without a certificate the cell is another one, and so is the page."""
-    answer, _ = ANSWERS["turning points"]
-    monkeypatch.setattr("tests.ledger.of_turning_points", lambda *_: 1 / 0)
-    try:
-        cell(answer, LAWS["quadratic"])
-    except ZeroDivisionError:
-        return
-    raise AssertionError
+    """Without a certificate, or without a proof, the cell is another one, and so is the page."""
+    assert cell(WORDS) == CERTIFICATE
+    answer = ledger.asked(WORDS)
+    monkeypatch.setattr(ledger, "_has_certificate", lambda _: False)
+    assert cell(WORDS) == CERTIFIED
+    monkeypatch.setattr(ledger, "asked", lambda _: answer.__class__(answer.question, answer.request, _Estimate()))
+    assert cell(WORDS) == "estimate"
+    monkeypatch.setattr(ledger, "GROUPS", {"one": (WORDS,)})
+    assert page() != PAGE.read_text(encoding="utf-8")
+
+
+class _Estimate:
+    def to_dict(self):
+        return {"certified": False}
+
+
+@pytest.mark.parametrize("law", ["gains", "gains and losses"])
+def test_what_is_refused_says_so(law):
+    assert cell(f"turning-points --count 3 --digits 8 {LAWS[law]}") == REFUSED

@@ -128,6 +128,7 @@ def public_results():
         asy.G(2), asy.table("smith2012.table1", digits=9), asy.paper("smith2012:43"), asy.ExactReal(1, 2),
         asy.envelope({"1/2": "1/10"}).series(3), asy.envelope({2: "1/10"}).slow(),
         asy.turning_points({2: 1}, 2, digits=9), asy.damping({2: "1/10"}, 1, digits=5),
+        asy.solution({2: "1/10"}), asy.solution({1: "1/10", 2: "1/20"}, order=2),
     ]  # fmt: skip
 
 

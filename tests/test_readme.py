@@ -94,11 +94,11 @@ def test_the_bounds_of_the_readme_are_those_of_the_program(capsys):
     for command in ("expand", "motion", "solution", "turning-points", "moment"):
         assert main([command, "--help"]) == 0
         said[command] = " ".join(capsys.readouterr().out.split())
-    assert "1 to 200" in said["expand"] and "Orders go to 200" in text
-    assert "1 to 12" in said["motion"] and "1 to 12" in said["solution"] and "A(t), φ(t): 12)" in text
+    assert "1 to 200" in said["expand"] and "| orders of the series | to 200" in text
+    assert "1 to 12" in said["motion"] and "1 to 12" in said["solution"] and "(motion, A(t) and φ(t): 12)" in text
     assert "(1 to 10000;" in said["turning-points"] and "(1 to 10000;" in said["moment"]
     assert "(1 to 1000;" in said["expand"] and "(1 to 1000;" in said["motion"]
-    assert "digits to 1000 (turning points and moments: 10000), counts to 100000" in " ".join(text.split())
+    assert "| digits | to 1000 (turning points and moments: 10000) |" in text and "| counts to 100000 |" in text
     assert "(1 to 100000)" in said["turning-points"] and "(default 60)" in said["expand"]
 
 

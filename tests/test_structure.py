@@ -132,6 +132,9 @@ LATE = {  # what a function loads only when it is asked, and why: none of them d
     "asymptotics/decays/identification/identify.py": "the expansions in balls (most of a second) of decrements",
     "asymptotics/papers/statement.py": "SymPy, which looking a statement up does not need",
     "asymptotics/return_map/panels.py": "NumPy, where collocation pays",
+    "asymptotics/numbers/digits.py": "mpmath, which digits do not need",
+    "asymptotics/numbers/latex.py": "SymPy, which rational numbers do not need",
+    "asymptotics/numbers/value.py": "SymPy and mpmath, which digits do not need",
 }
 PARTS = {  # by name, where they are installed: the commands and functions that show derivations and checks
     "asymptotics/ask/questions/derive.py",

@@ -121,6 +121,7 @@ def _known(asked: Question) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str
     """The options of a command that a header may have, those without a value, and those that may be repeated."""
     again = asked.offers.again
     options, more = asked.header_options, () if again is None else again.words
-    names = tuple(_PLACED if o.place else o.name for o in options)
-    repeated = tuple(o.name for o in options if o.repeated)
-    return (*more, *names), tuple(o.name for o in options if not o.letter), repeated
+    # A header with words of its own (a table in the place of its file) has no other option: FILE names a file.
+    names = more or tuple(_PLACED if o.place else o.name for o in options)
+    repeated = tuple(o.name for o in options if o.repeated and o.name in names)
+    return names, tuple(o.name for o in options if not o.letter and o.name in names), repeated

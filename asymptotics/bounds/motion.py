@@ -16,7 +16,6 @@ the jump) still has an answer: |x| is bounded by the energy of the latest state 
 
 from contextlib import suppress
 from dataclasses import replace
-from fractions import Fraction
 
 from flint import arb
 
@@ -116,7 +115,7 @@ def _by_energy(oscillator: Oscillator, t: ExactReal, max_seconds: float) -> arb:
     with ctx.workprec(64):
         omega, speed = oscillator.omega_0(), oscillator.v0.ball()
         energy = oscillator.x0.ball() ** 2 + (speed / omega) ** 2
-        latest = Fraction(float(t.ball().mid()))
+        latest, _ = bounds(t.ball())  # no double: 1e400 is a time too
         # ln 4 = 1.39: how many factors of 4 lead back to the start.
         steps = int(float((t.ball() * omega + 1).log()) / 1.39)
     with suppress(LimitError), budget(max_seconds):

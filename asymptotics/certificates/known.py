@@ -51,7 +51,7 @@ def known_before(oscillator: Oscillator, t: Fraction, count: int, digits: int) -
 
 def known_turning_points(oscillator: Oscillator, count: int, digits: int) -> Known:
     """At most so many, with times since the start, in the units of the oscillator."""
-    (x0, v0), seconds = _start(oscillator), min(seconds_left(), 1e9) / 3
+    (x0, v0), seconds = unit_start(oscillator), min(seconds_left(), 1e9) / 3
     law = oscillator.dimensionless
     found = turning_points(law, count, digits, times=True, x0=x0, v0=v0, max_seconds=seconds)
     bits = bits_for(digits, 64)
@@ -70,7 +70,7 @@ def known_turning_points(oscillator: Oscillator, count: int, digits: int) -> Kno
     return Known(tuple(points), ended["n"] if ended.get("reason") == "sticks" else None)
 
 
-def _start(oscillator: Oscillator) -> tuple[ExactReal, ExactReal]:
+def unit_start(oscillator: Oscillator) -> tuple[ExactReal, ExactReal]:
     """The start in units of the radius sqrt(x0^2 + v0^2/omega_0^2), one at rest on the right."""
     x0, v0 = oscillator.x0, oscillator.v0
     if v0.is_zero:

@@ -21,8 +21,8 @@ from asymptotics.certificates.claims import Claim, Turned, rest_claim, state_cla
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator, of_unit_start
 from asymptotics.motions.certify import time_of
-from asymptotics.motions.result import MotionPoint
-from asymptotics.numbers.exact import require_integer
+from asymptotics.motions.point import MotionPoint
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.running.budget import DEFAULT_SECONDS
 

@@ -8,7 +8,7 @@ losses have tau(A) closed (logarithms, arctangents, or 2F1: ``envelopes.hypergeo
 
 >>> two = implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 2)
 >>> two.time_of_amplitude, two.formulas.time_of_amplitude
-(Integral(1/(u*(2*u/(15*pi) + 1/20)), (u, A, 1)), Integral(6/(u*(3*epsilon_0 + 8*epsilon_1*u/pi)), (u, A, 1)))
+(Integral(60/(u*(4*u/pi + 3)), (u, A, 1)), Integral(6/(u*(3*epsilon_0 + 8*epsilon_1*u/pi)), (u, A, 1)))
 >>> implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 1).formulas.time_of_amplitude
 2*log(1 + 3*pi*epsilon_0/(8*A*epsilon_1))/epsilon_0 - 2*log(3*pi*epsilon_0/(8*epsilon_1) + 1)/epsilon_0
 >>> two.at(7, digits=8).x
@@ -38,12 +38,13 @@ from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Oscillator, of_unit_start
 from asymptotics.law_given import require_oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
-from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.point import MotionPoint
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, require_one
 from asymptotics.present.shown import Page
+from asymptotics.running.public import public
 
 u, a_0 = Symbol("u", positive=True), Symbol("a_0", positive=True)
 
@@ -117,23 +118,26 @@ class ImplicitSolution(ProvedCurve):
     def _motion(self) -> AsymptoticMotion:
         return AsymptoticMotion.of(_dimensionless(self.oscillator), self.order, TURNING_POINT)
 
-    def at(self, time: Number, *, digits: int = 30) -> MotionPoint:
+    @public
+    def at(self, time: Number, *, digits: int = 30, max_seconds: Number = 60) -> MotionPoint:
         """A, phi and x at one tau >= 0, in units of x_0, by the numeric inverse; not certified."""
         require_one(time, "time", "sample(times)")
         return self._motion.at(time, digits)
 
-    def at_time(self, oscillator: Oscillator, time: Number, digits: int) -> SolutionPoint:
+    @public
+    def at_time(self, oscillator: Oscillator, time: Number, digits: int, *, max_seconds: Number = 60) -> SolutionPoint:
         """A, phi and x at a time t of the oscillator, in its units."""
         require_oscillator(oscillator)
         found = AsymptoticMotion.of(oscillator, self.order, TURNING_POINT).at(time, digits)
         return SolutionPoint(found.amplitude or "0", found.phase or "0", found.x)
 
-    def sample(self, times: Any) -> tuple[Any, Any, Any]:
+    @public
+    def sample(self, times: Any, *, max_seconds: Number = 60) -> tuple[Any, Any, Any]:
         """(A, phi, x) at an array of tau, in doubles."""
         found = self._motion.sample(times_of(times))
         return found.amplitude, found.phase, found.x
 
-    def double_errors(self, times: Any) -> tuple[Any, Any, Any]:
+    def _double_errors(self, times: Any) -> tuple[Any, Any, Any]:
         """How far the doubles of ``sample`` are from the truncated equations: estimates."""
         found = self._motion.double_errors(times)
         return found["amplitude"], found["phase"], found["x"]

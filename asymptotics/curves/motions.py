@@ -29,8 +29,9 @@ from asymptotics.law import LawLike, Oscillator
 from asymptotics.law_given import oscillator_of, require_oscillator
 from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
+from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
-from asymptotics.motions.result import MotionPoint, MotionSamples
+from asymptotics.motions.result import MotionSamples
 from asymptotics.motions.state_route import alone
 from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.arrays import real_array
@@ -48,8 +49,7 @@ Array = Any
 DIGITS, MAX_EVENTS, MAX_SECONDS = 15, 10_000, 120
 # Points of a drawing: an expansion costs microseconds a point, a reference a certified step or more.
 POINTS, ERROR_POINTS, REFERENCE_POINTS = 4001, 241, 401
-# Two zeros of x, or of v, are about half a turn apart unless damping is strong: in a cell of a sixteenth of it two are
-# not expected, and a pair in one cell would be missed.  The docstring of ``Events`` says so: heuristic.
+# Two zeros are about half a turn apart unless damping is strong: a pair in one cell of a sixteenth would be missed.
 _PER_HALF_SWING = 16
 
 
@@ -142,10 +142,6 @@ class Motion(Drawn):
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
         return replace(self._motion.sample(times_of(t)), si=self.si)
-
-    def double_errors(self, t: Array) -> dict[str, Array]:
-        """How far the doubles of ``sample`` are from the expansion, by the names of its columns; estimates."""
-        return self._motion.double_errors(t)
 
     @public
     def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:

@@ -18,6 +18,7 @@ from asymptotics.curves.solution_curve import SolutionCurve
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.policy import Number
+from asymptotics.running.public import public
 
 
 class ProvedCurve(SolutionCurve):
@@ -37,7 +38,8 @@ class ProvedCurve(SolutionCurve):
         """A time, or None, -> the bound up to it; InputError where there is no theorem."""
         raise NotImplementedError
 
-    def proved(self, *, until: Number | None = None) -> Reach:
+    @public
+    def proved(self, *, until: Number | None = None, max_seconds: Number = 60) -> Reach:
         """A proved bound of |x - x_N| for x_N as it stands here, before rounding, in units of the start.
 
         For every tau >= 0, or up to the tau ``until``; for an exponent below 1 up to the tau that is stated.
@@ -46,7 +48,8 @@ class ProvedCurve(SolutionCurve):
         """
         return self._theorem()(until)
 
-    def proved_until(self, within: Number) -> Reach:
+    @public
+    def proved_until(self, within: Number, *, max_seconds: Number = 60) -> Reach:
         """Until which tau |x - x_N| <= ``within`` (in units of the start) is proved, before rounding.
 
         The label is computed: "proved", or "not proved" with until = "0".  InputError for a size <= 0, and as above.

@@ -7,7 +7,9 @@ import numpy as np
 from asymptotics.curves.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve, times_of
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
+from asymptotics.numbers.policy import Number
 from asymptotics.present.drawn import Drawn
+from asymptotics.running.public import public
 
 Array = Any
 
@@ -19,11 +21,13 @@ class SolutionCurve(Drawn):
     order: int
     si: bool
 
-    def sample(self, times: Any) -> tuple[Array, Array, Array]:
+    @public
+    def sample(self, times: Any, *, max_seconds: Number = 60) -> tuple[Array, Array, Array]:
         """(A, phi, x) at an array of tau."""
         raise NotImplementedError
 
-    def columns(self, t: Any) -> tuple[Array, Array, Array, Array]:
+    @public
+    def columns(self, t: Any, *, max_seconds: Number = 60) -> tuple[Array, Array, Array, Array]:
         """Arrays t, A, phi, x at times in s (tau for a law alone), in doubles and the units of the oscillator."""
         oscillator = self._given()
         omega, length = float(oscillator.omega_0().mid()), float(oscillator.length().mid())

@@ -87,12 +87,16 @@ class Spring:
 
 @dataclass(frozen=True)
 class ConservativeCycle:
-    """V(1), V'(1), what the losses take in one cycle, and the closed integral of v dx: balls."""
+    """V(1), V'(1), what the losses take in one cycle, and the closed integral of v dx: balls.
+
+    ``period`` is the closed integral of dt = dx/v, in 1/omega_0, of this cycle without loss.
+    """
 
     energy: arb
     force: arb
     lost: arb
     action: arb
+    spring: Spring
 
     @classmethod
     def of(cls, terms: Sequence[Term], delta: Sequence[arb]) -> "ConservativeCycle":
@@ -101,7 +105,12 @@ class ConservativeCycle:
         lost = sum(
             (d * _cycle(spring, t.position, t.velocity.ball()) for t, d in zip(terms, delta) if t.sign < 0), arb(0)
         )
-        return cls(spring.potential(arb(1)), spring.force(), lost, _cycle(spring, 0, arb(1)))
+        return cls(spring.potential(arb(1)), spring.force(), lost, _cycle(spring, 0, arb(1)), spring)
+
+    @property
+    def period(self) -> arb:
+        """The time of the cycle, in 1/omega_0: 2 pi beside the linear spring."""
+        return _cycle(self.spring, 0, arb(-1))
 
     @property
     def zeta(self) -> arb:

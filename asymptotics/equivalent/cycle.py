@@ -3,7 +3,9 @@
 From the turning points A_0, A_1, A_2 (``turning``, certified at any strength)
 
     decrement = ln(A_0/A_2),   Delta E = V(A_0) - V(A_2),   Q = 2 pi E/Delta E,
-    zeta_log = decrement/sqrt(4 pi^2 + decrement^2)      (for viscous damping b/(2 sqrt(k m)) exactly).
+    zeta_log = decrement/sqrt(4 pi^2 + decrement^2)      (for viscous damping b/(2 sqrt(k m)) exactly),
+
+and from their times the period T = t_2 - t_0 of the swing, and with it the backbone omega(A) = 2 pi/T.
 
 *Order N.*  L = ln(A'/A) of a half-swing is cut after delta^N, with the bound of what it lacks
 (``bounds.half_swing``).  Two half-swings are taken one after the other with these errors inside, so the ball holds the
@@ -13,6 +15,8 @@ decrement of the motion.
 >>> exact, cut = full_swing(law, 15), expanded_swing(law.terms, [arb("0.1")], 3)
 >>> exact.decrement.str(8), cut.decrement.str(4)
 ('[0.23668442 +/- ...]', '[0.237 +/- ...]')
+>>> exact.period.str(8)
+'[6.2870... +/- ...]'
 >>> full_swing(Law({0: "2/5"}), 15)
 'no full swing: it sticks after 1 half-swings'
 """
@@ -37,10 +41,12 @@ from asymptotics.turning.result import TurningPoints
 
 @dataclass(frozen=True)
 class FullSwing:
-    """One full swing from the amplitude 1: decrement and the share of the energy that it loses, as balls."""
+    """One full swing from the amplitude 1: decrement, the share of the energy that it loses, and how long it takes in
+    1/omega_0 (None of a series), as balls."""
 
     decrement: arb
     share: arb
+    period: arb | None = None
 
     @property
     def zeta_log(self) -> arb:
@@ -55,7 +61,7 @@ class FullSwing:
 
 def full_swing(law: Law, digits: int) -> FullSwing | str:
     """The swing from rest at 1 by turning points of ``digits`` digits, or why there is none, in words."""
-    found = turning_points(law, 3, digits)
+    found = turning_points(law, 3, digits, times=True)
     if len(found.points) < 3:
         return _ended(found)
     text = found.points[2].x
@@ -66,7 +72,8 @@ def full_swing(law: Law, digits: int) -> FullSwing | str:
     delta = [t.strength.ball() for t in law.terms]
     spring = Spring.of(law.terms, delta)
     share = 1 - spring.potential(last) / spring.potential(arb(1))
-    return FullSwing(-last.log(), share)
+    time = found.points[2].tau
+    return FullSwing(-last.log(), share, None if time is None else ball_of(time))
 
 
 def swing_bits(bits: int) -> int:

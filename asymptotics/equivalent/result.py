@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from flint import arb
 from numpy.typing import ArrayLike
 from sympy import Expr
 
@@ -25,7 +26,9 @@ from asymptotics.present.inputs import csv_text
 from asymptotics.present.shown import Page, Rows
 from asymptotics.running.public import public
 
-UNITS = {"amplitude": "m", "energy_loss": "J", "c_eq": "N s/m", "half_life": "s"}
+UNITS = {
+    "amplitude": "m", "energy_loss": "J", "c_eq": "N s/m", "half_life": "s", "period": "s", "omega": "rad/s",
+}  # fmt: skip
 ANGULAR = {**UNITS, "amplitude": "rad", "c_eq": "N m s"}
 """Of a pendulum, whose m is a moment of inertia and whose k is m g l."""
 LETTERS = {
@@ -39,7 +42,7 @@ _CURVE, _LOW, _WIDE = 60, 53, 8
 
 @dataclass(frozen=True, repr=False)
 class EquivalentDamping(Rows, Drawn):
-    """zeta, Q, decrement, energy loss, c_eq and half-life at turning amplitudes A (m, or rad for a pendulum).
+    """zeta, Q, decrement, energy loss, c_eq, half-life and backbone at turning amplitudes A (m, or rad for a pendulum).
 
     ``zeta`` = Delta E/(4 pi E) is of first order; the motion has ``zeta_log`` = d/sqrt(4 pi^2 + d^2), d its decrement.
     ``formulas``: of first order in A, b, m, k (epsilon without units); ``rows``: the numbers, a row an amplitude, each
@@ -85,7 +88,8 @@ class EquivalentDamping(Rows, Drawn):
 
     @public
     def sample(self, A: ArrayLike, *, max_seconds: Number = 60) -> dict[str, Any]:
-        """zeta, Q, decrement, energy_loss, c_eq of first order at an array of amplitudes > 0 in ``unit``: doubles."""
+        """zeta, Q, decrement, energy_loss, c_eq of first order, period and omega without loss: doubles, at an array of
+        amplitudes > 0 in ``unit``."""
         oscillator = self._numbers()
         amplitudes = real_array(A, "A")
         rows = [_doubles(oscillator, a * self.size) for a in np.ravel(amplitudes)]
@@ -229,14 +233,15 @@ def _doubles(oscillator: Oscillator, a: float) -> tuple[float, ...]:
     """The first order at one amplitude; NaN stays NaN."""
     # NaN fails this test too, and so keeps its place.
     if not a > 0:
-        return (float("nan"),) * 5
+        return (float("nan"),) * len(DRAWN)
     local = Oscillator(oscillator.law, mass=oscillator.mass, stiffness=oscillator.stiffness, x0=exact_number(a, "A"))
     # At the bits of a double: the middle of each ball is drawn, and no more is said.
     with ctx.workprec(_LOW):
         cycle = cycle_of(local)
-        k = oscillator.stiffness.ball()
+        k, omega_0 = oscillator.stiffness.ball(), local.omega_0()
         numbers = (
             cycle.zeta, cycle.quality, cycle.decrement, cycle.lost * k * local.length() ** 2,
-            cycle.coefficient * (k * oscillator.mass.ball()).sqrt(),
+            cycle.coefficient * (k * oscillator.mass.ball()).sqrt(), cycle.period / omega_0,
+            2 * arb.pi() * omega_0 / cycle.period,
         )  # fmt: skip
         return tuple(float(x.mid()) for x in numbers)

@@ -33,9 +33,9 @@ from asymptotics.numbers.rationals import bounds, decimal_fraction
 from asymptotics.present.shown import Page, Shown
 from asymptotics.terms import Term
 
-QUANTITIES = ("zeta", "zeta_log", "Q", "decrement", "energy_loss", "c_eq", "half_life")
+QUANTITIES = ("zeta", "zeta_log", "Q", "decrement", "energy_loss", "c_eq", "half_life", "period", "omega")
 # The half-life is a time of first order only: there is no curve of the motion beside it.
-DRAWN = ("zeta", "Q", "decrement", "energy_loss", "c_eq")
+DRAWN = ("zeta", "Q", "decrement", "energy_loss", "c_eq", "period", "omega")
 OF_MOTION = {"zeta": "zeta_log"}
 """What stands of the motion itself beside a quantity of first order, where it has a definition of its own."""
 # The first precision and the last: digits that are not decided by then are refused, never guessed.
@@ -48,7 +48,8 @@ class Measure(Shown):
     """The quantities at one amplitude as decimals, None for what is not there, and how they were found.
 
     ``zeta`` = Delta E/(4 pi E) is of first order; of the motion and its series ``zeta_log`` =
-    decrement/sqrt(4 pi^2 + decrement^2), which is b/(2 sqrt(k m)) exactly for viscous damping.
+    decrement/sqrt(4 pi^2 + decrement^2), which is b/(2 sqrt(k m)) exactly for viscous damping.  ``period`` and
+    ``omega`` = 2 pi/period are those of the cycle without loss, and of the motion those of its full swing.
     ``bounds``: of order N, how far each may be from the motion's, rounded up; ``reason``: why there is nothing.
     ``certified``: the digits are proved (with ``bounds``: proved within them).
     """
@@ -60,6 +61,8 @@ class Measure(Shown):
     c_eq: str | None = None
     half_life: str | None = None
     zeta_log: str | None = None
+    period: str | None = None
+    omega: str | None = None
     route: str = ""
     reason: str = ""
     bounds: dict[str, str] = field(default_factory=dict)
@@ -146,6 +149,8 @@ def _first(local: Oscillator, digits: int) -> Measure:
         number(lambda o: o.lost * _units(local)[0]),
         number(lambda o: o.coefficient * _units(local)[1]),
         half,
+        period=number(lambda o: o.period / _units(local)[2]),
+        omega=number(lambda o: 2 * arb.pi() * _units(local)[2] / o.period),
         route="one cycle without loss",
         reason="" if half is not None else _NO_HALF_LIFE,
         certified=True,
@@ -199,6 +204,9 @@ def _values(swing: FullSwing, local: Oscillator) -> dict[str, arb]:
     found["energy_loss"] = swing.share * start * energy
     if not any(not t.strength.is_zero for t in local.law.springs):
         found["c_eq"] = 2 * swing.zeta_log * viscous
+    if swing.period is not None:
+        omega_0 = local.omega_0()
+        found |= {"period": swing.period / omega_0, "omega": 2 * arb.pi() * omega_0 / swing.period}
     return found
 
 

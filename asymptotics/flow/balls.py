@@ -16,6 +16,7 @@ from asymptotics.numbers.context import ctx
 # 1/alpha and multiples of it are formed in doubles, which end at 1.8e308.  A smaller exponent is refused by name; no
 # bound rests on the value.
 _LEAST = 1e-300
+_AS_CHEAP = 128  # bits
 
 
 def in_doubles(exponents: Iterable[arb]) -> tuple[float, ...]:
@@ -49,6 +50,8 @@ def dyadic(size: float) -> arb:
 def upper(x: arb) -> arb:
     """An exact upper bound of |x|, short: errors are added in 53 bits."""
     # Upwards, as every bound here enters sums and products with plus signs only.  53 bits lose 2^-53 of the bound for
-    # each operation, and keep additions as cheap as those of doubles.
+    # each operation, and keep additions as cheap as those of doubles; two words of a working precision are as cheap.
+    if ctx.prec <= _AS_CHEAP:
+        return abs(x).upper()
     with ctx.workprec(53):
         return abs(x).upper()

@@ -38,8 +38,8 @@ from flint import arb, arb_poly, fmpq, fmpq_poly
 
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Law
-from asymptotics.numbers.bridge import to_fmpq
 from asymptotics.numbers.context import cached_property
+from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.running.budget import tick
 from asymptotics.terms import Term
 

@@ -45,7 +45,8 @@ from asymptotics.motions.admission import local_strength, require_served
 from asymptotics.motions.certify import half_unit
 from asymptotics.motions.doubles import Doubles
 from asymptotics.motions.frame import Frame, State
-from asymptotics.motions.result import MotionPoint, MotionSamples
+from asymptotics.motions.point import MotionPoint
+from asymptotics.motions.result import MotionSamples
 from asymptotics.motions.stopping import LastSwing, friction_arc, last_swing
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball

@@ -32,7 +32,7 @@ from flint import arb
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import Pair, certified_point, certified_values, time_of
-from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.state_route import StateRoute, alone, require_alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal

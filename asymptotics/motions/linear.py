@@ -19,7 +19,7 @@ from flint import acb, arb
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import Pair, certified_point, time_of
-from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.state_route import StateRoute, alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import MAX_EXPONENT

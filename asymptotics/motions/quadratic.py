@@ -19,7 +19,7 @@ from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.law import Oscillator
 from asymptotics.motions.certify import certified_point, time_of
-from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.state_route import StateRoute, alone, require_alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for

@@ -44,11 +44,12 @@ from asymptotics.flow.wells.trapping_regions import require_inside
 from asymptotics.law import Oscillator
 from asymptotics.motions import coulomb, linear, quadratic
 from asymptotics.motions.certify import certified_values, half_unit, time_of
-from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.state_route import StateRoute
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
-from asymptotics.numbers.exact import ExactReal, require_integer
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.return_map.panels import panels_of

@@ -1,76 +1,24 @@
-"""What a motion is handed back as: one moment in decimals, or many in doubles; both immutable.
+"""The motion at many moments, in doubles; one moment in decimals is a ``point``.
 
->>> point = MotionPoint("0.1", "0", "0.1", "0", 1, "turning-point", "asymptotic", "1e-3", False)
->>> point.to_dict()["x"], point.to_dict()["certified"]
-('0.1', False)
+>>> samples = MotionSamples(*np.zeros((5, 2)), 1, "turning-point", 0, 0, None, ())
+>>> samples, samples.header()
+(MotionSamples(2 times, order 1, gauge turning-point), ['t [s]', 'x [m]', 'v [m/s]', 'amplitude [m]', 'phase [rad]'])
 """
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from asymptotics.motions.point import UNITS
 from asymptotics.numbers.alike import Alike
-from asymptotics.numbers.value import Coefficient, number_of, rounded
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.inputs import csv_text
-from asymptotics.present.shown import Page, Rows, Shown
+from asymptotics.present.shown import Page, Rows
 
 Array = Any
 
-UNITS = {"t": "s", "x": "m", "v": "m/s", "amplitude": "m", "phase": "rad"}
 DIMENSIONLESS = {"t": "tau"}
-
-
-@dataclass(frozen=True, repr=False)
-class MotionPoint(Shown):
-    """The motion at one time, SI units, decimals as strings.
-
-    ``amplitude``, ``phase`` (psi - tau), ``order`` and ``gauge`` are None for reference and exact motion.  ``error``
-    bounds what is printed of x: proved if ``certified``, else an estimate (see ``method``).
-    """
-
-    x: str
-    v: str
-    amplitude: str | None
-    phase: str | None
-    order: int | None
-    gauge: str | None
-    method: str
-    error: str
-    certified: bool
-    notes: tuple[str, ...] = ()
-    unit: str = "m"
-
-    def to_dict(self) -> dict[str, Any]:
-        """The state as a JSON-ready mapping: decimals are strings."""
-        return {f.name: _plain(getattr(self, f.name)) for f in fields(self) if f.name != "unit"}
-
-    def noted(self, notes: tuple[str, ...]) -> "MotionPoint":
-        """The same with more notes."""
-        return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes))))
-
-    def rounded_to_error(self) -> "MotionPoint":
-        """Every value cut down to the digits that the error of x leaves."""
-        digits = _known_digits(self.x, self.error)
-        names = ("x", "v", "amplitude", "phase")
-        values: dict[str, Any] = {n: rounded(getattr(self, n), digits) for n in names if getattr(self, n) is not None}
-        return replace(self, **values)
-
-    def number(self, name: str = "x") -> Coefficient:
-        """``x`` or ``v`` of a certified motion as a number: mpf, interval, ball; InputError for an estimate."""
-        return number_of(self, name)
-
-    def _page(self) -> Page:
-        named = {name: unit.replace("m", self.unit) for name, unit in (UNITS | {"error": "m"}).items() if name != "t"}
-        rows = tuple((n, f"{getattr(self, n)} {unit}") for n, unit in named.items() if getattr(self, n) is not None)
-        order = "" if self.order is None else f", order {self.order}, gauge {self.gauge}"
-        worth = f"{'certified' if self.certified else 'estimate'} ({self.method}{order})"
-        title = f"x = {self.x} {self.unit}, v = {self.v} {self.unit}/s, error {self.error} {self.unit}"
-        return Page(title, (worth, *self.notes), ("", "value"), rows)
-
-    def _formula(self) -> str:
-        return rf"x = {self.x}\,\mathrm{{{self.unit}}},\quad \dot x = {self.v}\,\mathrm{{{self.unit}/s}}"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -140,19 +88,6 @@ class MotionSamples(Alike, Rows, Drawn):
         extinction = None if self.extinction is None else repr(self.extinction)
         rest = {"order": self.order, "gauge": self.gauge, "missing": self.missing, "extinct": self.extinct}
         return {**arrays, **rest, "extinction": extinction, "notes": list(self.notes)}
-
-
-def _known_digits(x: str, error: str) -> int:
-    """How many significant digits of x its error leaves, at least one."""
-    size, unsure = abs(float(x)), float(error)
-    if not size or not unsure:
-        return 30
-    # Through the digit in which the error has its first one.
-    return max(1, int(np.floor(np.log10(size)) - np.floor(np.log10(unsure))) + 1)
-
-
-def _plain(value: Any) -> Any:
-    return list(value) if isinstance(value, tuple) else value
 
 
 def _texts(values: Array) -> list[str | None]:

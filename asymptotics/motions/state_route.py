@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator, PhysicalLaw
-from asymptotics.motions.result import MotionPoint
+from asymptotics.motions.point import MotionPoint
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
 from asymptotics.terms import Scaled

@@ -30,7 +30,17 @@ from asymptotics.numbers.rationals import bounds, to_fmpq, to_fraction
 converter[fmpz] = lambda n: sympy.Integer(int(n))
 converter[fmpq] = lambda q: sympy.Rational(int(q.p), int(q.q))
 
-__all__ = ["bounds", "closed_form_ball", "expression", "from_sympy", "to_fmpq", "to_fraction", "to_sympy"]
+__all__ = [
+    "bounds",
+    "closed_form_ball",
+    "expression",
+    "from_sympy",
+    "in_latex",
+    "to_float",
+    "to_fmpq",
+    "to_fraction",
+    "to_sympy",
+]
 
 
 def to_sympy(q: Fraction | fmpq | ExactReal | int) -> sympy.Expr:
@@ -44,6 +54,24 @@ def to_sympy(q: Fraction | fmpq | ExactReal | int) -> sympy.Expr:
     if isinstance(q, fmpq):
         return sympy.Rational(int(q.p), int(q.q))
     return sympy.Rational(q.numerator, q.denominator)
+
+
+def to_float(q: Fraction, digits: int) -> sympy.Float:
+    """A number of SymPy with so many digits.
+
+    >>> to_float(Fraction(1, 3), 4)
+    0.3333
+    """
+    return sympy.Float(to_sympy(q), digits)
+
+
+def in_latex(q: ExactReal) -> str:
+    """An exact number in LaTeX.
+
+    >>> in_latex(ExactReal(Fraction(1), Fraction(2)))
+    '\\\\sqrt{2}'
+    """
+    return str(sympy.latex(to_sympy(q)))
 
 
 def expression(value: Any, argument: str) -> sympy.Expr:

@@ -21,12 +21,13 @@ asymptotics.errors.UndecidedError: no certified 5 digits at 4000 bits: the enclo
 
 from collections.abc import Callable
 from fractions import Fraction
-from math import log2
+from math import floor, log2
 
 from flint import arb, fmpz
 
 from asymptotics.errors import LimitError
-from asymptotics.numbers.exact import ExactReal, require_integer
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 
 BITS_PER_DIGIT = log2(10)
@@ -133,10 +134,11 @@ def _round_quotient(p: fmpz, q: fmpz, digits: int) -> tuple[fmpz, int]:
     if p == 0:
         return fmpz(0), 0
     sign, p = (-1, -p) if p < 0 else (1, p)
-    # p/q is 2^(difference of the lengths) to within a factor of 2, so this start is never above the exponent that is
-    # sought, and the first one that leaves no more than the wanted digits is the right one.
-    exponent = int((p.bit_length() - q.bit_length()) / BITS_PER_DIGIT) - digits - 1
-    while True:  # at most a few steps: the exponent starts one or two too small
+    # A little below log10(p/q) in doubles, so that this start is never above the exponent that is sought, and the first
+    # one that leaves no more than the wanted digits is the right one.
+    above, below = log2(int(p)), log2(int(q))
+    exponent = floor((above - below - 1e-14 * (1 + above + below)) / BITS_PER_DIGIT) - digits + 1
+    while True:  # mostly once, at most a few times
         scale = fmpz(10) ** abs(exponent)
         top, bottom = (p, q * scale) if exponent >= 0 else (p * scale, q)
         n, rest = divmod(top, bottom)

@@ -13,10 +13,8 @@ from fractions import Fraction
 from math import inf, nextafter
 from typing import Any
 
-import mpmath
 from flint import arb, fmpq
 
-from asymptotics.numbers.decimal_context import intervals
 from asymptotics.numbers.rationals import decimal_fraction
 
 
@@ -33,10 +31,11 @@ def ends(text: str) -> tuple[Fraction, Fraction]:
 
 def interval_of(text: str) -> Any:
     """An mpmath interval that contains the number: the digits, half a unit in the last place either way."""
+    from asymptotics.numbers.decimal_context import between, intervals  # noqa: PLC0415 (mpmath, which few ask for)
+
     # log2(10) < 4 bits a digit. mpmath rounds either end outward, so that fewer bits would be wider and not wrong.
     with intervals(4 * len(text) + 32):
-        found = [mpmath.iv.mpf(q.numerator) / q.denominator for q in ends(text)]
-        return mpmath.iv.mpf([found[0].a, found[1].b])
+        return between(*ends(text))
 
 
 def ball_of(text: str) -> arb:

@@ -12,7 +12,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.running.budget import tick
 
 EVALUATIONS_PER_BIT = 200
-"""A hundred times what envelopes need: FLINT goes on to this limit after an error in the integrand."""
+"""A hundred times what envelopes need: FLINT goes on to this limit where there is no value."""
 
 
 def integral(f: Callable[[acb, bool], acb], low: arb, high: arb, words: str, *, evaluations: int | None = None) -> arb:
@@ -22,12 +22,23 @@ def integral(f: Callable[[acb, bool], acb], low: arb, high: arb, words: str, *, 
     there.  ``words`` tell what is being done when the time is over.
     """
 
+    failed = list[BaseException]()
+
     def integrand(r: acb, analytic: bool) -> acb:
         # FLINT calls back for nothing else: here alone an integral that goes on for long can be stopped.
-        tick(words)
-        return f(r, analytic)
+        if not failed:
+            try:
+                tick(words)
+                return f(r, analytic)
+            except BaseException as error:
+                # FLINT knows no errors: it would call back to its limit, with one set, which the interpreter may meet
+                # at another place as a SystemError.  Kept here and raised below; until then there is no value.
+                failed.append(error)
+        return acb("nan")
 
     limit = EVALUATIONS_PER_BIT * ctx.prec if evaluations is None else evaluations
     # The integrands are real on the real line, so that the imaginary part holds 0 and is dropped.
     found: arb = acb.integral(integrand, acb(low), acb(high), eval_limit=limit).real
+    if failed:
+        raise failed[0]
     return found

@@ -3,6 +3,7 @@
 It is handed out by name, so that nothing is lost without a word: as text, as an mpmath number, as an mpmath interval
 that contains the true value, as SymPy, as Fraction, as float.
 
+>>> import sympy
 >>> c = Coefficient("0.424413181578", sympy.Rational(4, 3) / sympy.pi)
 >>> str(c), float(c), c.exact
 ('0.424413181578', 0.424413181578, '4/(3*pi)')
@@ -18,22 +19,21 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from operator import add, mul, sub
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import mpmath
-import sympy
 from flint import arb
-from mpmath.libmp import from_rational, round_nearest
-from sympy import Expr
 
 from asymptotics.errors import InputError, shown
-from asymptotics.numbers.bridge import from_sympy, to_sympy
-from asymptotics.numbers.decimal_context import intervals, workdps
 from asymptotics.numbers.decimals import rational_decimal
 from asymptotics.numbers.digits import ball_of, interval_of, spread
 from asymptotics.numbers.policy import exact_number
 from asymptotics.numbers.rationals import decimal_fraction
 from asymptotics.present.shown import Page, Shown
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+# SymPy and mpmath are loaded by who asks for them: a table of digits takes less time than either.
 
 
 @dataclass(frozen=True)
@@ -41,13 +41,13 @@ class Coefficient(Shown):
     """Correctly rounded digits ``value`` (None for a symbolic exponent) and the exact form (None if none is known)."""
 
     value: str | None
-    expression: Expr | None
+    expression: "Expr | None"
     notes: tuple[str, ...] = field(default=(), compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if self.value is not None and not isinstance(self.value, str):
             raise InputError("value", f"{shown(self.value)} is no text", "decimal digits, or None")
-        if self.expression is not None and not isinstance(self.expression, Expr):
+        if self.expression is not None and not _is_expression(self.expression):
             raise InputError("expression", f"{shown(self.expression)} is not SymPy's", "a SymPy expression, or None")
 
     @property
@@ -68,10 +68,9 @@ class Coefficient(Shown):
 
     def mpf(self) -> Any:
         """The digits as an mpmath number of enough precision to hold them."""
-        with workdps(len(self.text()) + 2):
-            # As mpmath reads a text, but for the limit of Python: the quotient of two integers, rounded once.
-            q = decimal_fraction(self.text())
-            return mpmath.mp.make_mpf(from_rational(q.numerator, q.denominator, mpmath.mp.prec, round_nearest))
+        from asymptotics.numbers.decimal_context import mpf_of  # noqa: PLC0415 (mpmath)
+
+        return mpf_of(decimal_fraction(self.text()), len(self.text()) + 2)
 
     def interval(self) -> Any:
         """An mpmath interval that contains the true value: the digits, half a unit in the last place either way."""
@@ -81,28 +80,35 @@ class Coefficient(Shown):
         """The same as a ball of python-flint, at the precision in force."""
         return ball_of(self.text())
 
-    def sympy(self) -> Expr:
+    def sympy(self) -> "Expr":
         """The exact form where one is known, else a SymPy Float with the digits."""
         if self.expression is not None:
             return self.expression
         # As many digits as are written: the mantissa without sign, point and the zeros in front.
         digits = len(self.text().lstrip("-0.").replace(".", "").partition("e")[0])
-        return sympy.Float(to_sympy(decimal_fraction(self.text())), digits)
+        from asymptotics.numbers.bridge import to_float  # noqa: PLC0415 (SymPy)
+
+        return to_float(decimal_fraction(self.text()), digits)
 
     def fraction(self) -> Fraction:
         """The number as a Fraction; InputError where it is not known to be rational."""
         if self.expression is None or not self.expression.is_Rational:
             raise InputError("coefficient", f"{self.exact or self.value} is not rational", "a rational number")
+        from asymptotics.numbers.bridge import from_sympy  # noqa: PLC0415 (SymPy)
+
         return from_sympy(self.expression)
 
     def _combined(self, other: Any, operation: Callable[[Any, Any], Any]) -> Any:
         """An mpmath interval that contains the true result; a number beside it is read by the number policy."""
+        from asymptotics.numbers.decimal_context import interval, intervals  # noqa: PLC0415 (mpmath)
+
         digits = len(self.text())
         if isinstance(other, Coefficient):
             digits = max(digits, len(other.text()))
         # Four bits are more than a decimal: what the digits leave is the width, and not the arithmetic.
         with intervals(4 * digits + 32):
-            return operation(self.interval(), other.interval() if isinstance(other, Coefficient) else _interval(other))
+            beside = other.interval() if isinstance(other, Coefficient) else interval(exact_number(other, "operand"))
+            return operation(self.interval(), beside)
 
     def __add__(self, other: Any) -> Any:
         """Sums, differences, products and quotients are mpmath intervals: no digit of theirs is claimed.
@@ -149,18 +155,17 @@ class Coefficient(Shown):
         return Page(str(self), (*exact, claim, *self.notes))
 
     def _formula(self) -> str:
-        return str(self.value if self.expression is None else sympy.latex(self.expression))
+        if self.expression is None:
+            return str(self.value)
+        from sympy import latex  # noqa: PLC0415 (SymPy)
+
+        return str(latex(self.expression))
 
 
-def _interval(value: Any) -> Any:
-    """An exact number as an mpmath interval at the precision in force."""
-    number = exact_number(value, "operand")
-    q, r, b = (_of_fraction(part) for part in (number.coefficient, number.radicand, number.offset))
-    return q * mpmath.iv.sqrt(r) + b
+def _is_expression(value: object) -> bool:
+    from sympy import Expr  # noqa: PLC0415 (SymPy, which is loaded where there is an expression)
 
-
-def _of_fraction(q: Fraction) -> Any:
-    return mpmath.iv.mpf(q.numerator) / q.denominator
+    return isinstance(value, Expr)
 
 
 def _quotient(a: Any, b: Any) -> Any:
@@ -184,6 +189,7 @@ def number_of(found: Any, name: str) -> Coefficient:
 def coefficient_columns(found: Sequence[Coefficient]) -> dict[str, list[Any]]:
     """Columns of a data frame: doubles, both ends of the interval that holds the number, all digits, the exact form.
 
+    >>> import sympy
     >>> columns = coefficient_columns([Coefficient("0.333", sympy.Rational(1, 3))])
     >>> columns["value"], columns["value_low"][0] <= 0.3325, columns["exact"]
     ([0.333], True, ['1/3'])

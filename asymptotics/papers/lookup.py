@@ -9,7 +9,7 @@
 >>> paper("smith:43")
 Traceback (most recent call last):
     ...
-asymptotics.errors.InputError: argument id: no statement 'smith:43' (accepted: did you mean smith2012:43, ...?)
+asymptotics.errors.InputError: argument id: no statement 'smith:43'; did you mean ...? (accepted: an id ...)
 """
 
 import re
@@ -121,8 +121,9 @@ def paper(id: str) -> PaperStatement:  # noqa: A002 (the papers' own word)
         wanted = id[:MAX_QUERY]
         # What is no id may be words of a statement: the ids of those that have them are ids, the words are none.
         held = [*ranked(searched(), wanted.strip())][:3] if wanted.strip() else []
-        accepted = f"an id, such as {', '.join(held)}" if held else _suggestion(wanted)
-        raise InputError("id", f"no statement has the id {wanted!r}" if held else f"no statement {wanted!r}", accepted)
+        if held:
+            raise InputError("id", f"no statement has the id {wanted!r}", f"an id, such as {', '.join(held)}")
+        raise InputError("id", f"no statement {wanted!r}{_meant(wanted)}", _FORMS)
     return _all()[id]
 
 
@@ -130,15 +131,15 @@ def find(query: str) -> tuple[PaperStatement, ...]:
     """The statements with this id or number, else those with every word, best first; InputError if there is none."""
     wanted = query.strip()[:MAX_QUERY]
     if not wanted:
-        raise InputError("query", "is empty", "an id (smith2012:43), a number (43) or words (Lambert)")
+        raise InputError("query", "is empty", _FORMS)
     if wanted in _all():
         return (_all()[wanted],)
     found = tuple(_all()[key] for key in ranked(searched(), wanted))
     if not found:
         pages = ", ".join(dict.fromkeys(str(section) for section in documentation(wanted)[:3]))
-        raise InputError(
-            "query", f"nothing found for {wanted!r}", f"{pages} (documentation)" if pages else _suggestion(wanted)
-        )
+        if pages:
+            raise InputError("query", f"nothing found for {wanted!r}", f"{pages} (documentation)")
+        raise InputError("query", f"nothing found for {wanted!r}{_meant(wanted)}", _FORMS)
     return found
 
 
@@ -148,13 +149,16 @@ def searched() -> tuple[Searched, ...]:
     return tuple(map(Searched.of, _all().values()))
 
 
-def _suggestion(wanted: str) -> str:
+_FORMS = "an id (smith2012:43), a number (43) or words (Lambert)"
+
+
+def _meant(wanted: str) -> str:
     # Ratios of difflib: 0.6 is its own default, and words must be nearer than ids, whose beginnings are all alike.
     # They decide what is suggested, nothing else.
     near = get_close_matches(wanted, _all(), n=3, cutoff=0.6) or get_close_matches(
         wanted, _vocabulary(), n=3, cutoff=0.7
     )
-    return f"did you mean {', '.join(near)}?" if near else "an id (smith2012:43), a number (43) or words (Lambert)"
+    return f"; did you mean {', '.join(near)}?" if near else ""
 
 
 @cache

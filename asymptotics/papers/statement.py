@@ -17,7 +17,7 @@ class PaperStatement(Shown):
     ``evidence`` what it rests on (proved, certified, measured, none) and ``extent`` how far that reaches; ``latex`` is
     the printed form (with ``paraphrase``: in our words), ``corrected`` what is true instead (None if it holds),
     ``shortfall`` in which way it is partly true, ``slip`` a slip that changes nothing; ``line`` is the line of the
-    derivation that proves it; ``source`` is the file and line of the check.
+    derivation that proves it, or that has what is true instead; ``source`` is the file and line of the check.
     """
 
     id: str

@@ -29,10 +29,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
 
-from flint import arb, arb_poly, fmpq, fmpz_poly
+from flint import arb, arb_mat, arb_poly, fmpq, fmpz_poly
 
 from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
+from asymptotics.return_map.spectral import analysis
 
 _BITS = 53  # in which errors are added
 
@@ -99,7 +100,5 @@ def interpolant(values: Sequence[arb], bound: arb, ellipse: arb, tolerance: arb)
 
 def coefficients(values: Sequence[arb]) -> list[arb]:
     """b_0, ..., b_(m-1) with sum b_k T_k = the values at ``nodes``."""
-    m = len(values)
-    cosines = [arb.cos_pi(arb(fmpq(i, 2 * m))) for i in range(4 * m)]
-    found = [sum((v * cosines[k * (2 * j + 1) % (4 * m)] for j, v in enumerate(values)), arb(0)) for k in range(m)]
-    return [c * (1 if k == 0 else 2) / m for k, c in enumerate(found)]
+    column = arb_mat([[v] for v in values])
+    return [row[0] for row in (analysis(len(values), ctx.prec) * column).table()]

@@ -22,7 +22,7 @@ polydisc with these radii |q/p - 1| <= e^G - 1, and |T - pi| is at most the exce
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from math import gcd, lcm
@@ -31,6 +31,7 @@ from flint import arb
 
 from asymptotics.expansions.half_swings.finite_majorant import Majorant, majorant
 from asymptotics.flow.damping import Damping
+from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
 
 MAX_POWER = 12
@@ -57,15 +58,20 @@ class Coordinate:
         found = tuple((a - 1).ball() for a in alphas) if root is None else tuple(map(arb, powers))
         return cls(None if root is None else root.ball(), found, epsilons, alphas, tuple(a.ball() for a in alphas))
 
-    @property
+    @cached_property
     def from_zero(self) -> bool:
         """Whether z falls to 0 with the amplitude."""
         return self.root is not None and bool(self.root > 0)
 
-    @property
+    @cached_property
     def is_quartered(self) -> bool:
         """Whether half-swings are put together from quarters: all alpha_i >= 1, and not all are 1."""
         return all(a >= 1 for a in self.alphas) and any(k > 0 for k in self.powers)
+
+    @cached_property
+    def is_odd(self) -> bool:
+        """Whether z -> -z turns the sign of every strength."""
+        return self.root is not None and all(int(float(k)) % 2 for k in self.powers)
 
     def __call__(self, amplitude: arb) -> arb:
         """z at an amplitude > 0."""
@@ -84,10 +90,9 @@ class Coordinate:
         """The law in units of the amplitude, at the current precision."""
         return Damping.of(list(zip(self.strengths(z), self.alphas, strict=True)))
 
-    def in_units(self, unit: arb) -> "Coordinate":
-        """The same for amplitudes A = ``unit`` A': epsilon_i unit^(alpha_i - 1), at the current precision."""
-        scaled = tuple(e * unit ** (a - 1).ball() for e, a in zip(self.epsilons, self.alphas, strict=True))
-        return replace(self, epsilons=scaled)
+    def unit(self, log_unit: arb) -> arb:
+        """What turns z at A into z at u A, from ln u: a factor, or with z = ln A a summand."""
+        return log_unit if self.root is None else (self.root * log_unit).exp()
 
     def bounds(self, centre: arb, half_axis: arb, *, whole: bool = True) -> Majorant | None:
         """The majorant on the ellipse, None where none is proved; ``centre`` >= 0 where z = 0 is included.

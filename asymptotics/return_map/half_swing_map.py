@@ -26,6 +26,7 @@ from asymptotics.flow.sequence import STICKS
 from asymptotics.flow.trajectory import MAX_PIECES, ArrivedPiece, half_swing_pieces
 
 INTEGRATED = "local expansions and Taylor steps"
+ROUTE = "Chebyshev interpolation in the amplitude"
 
 
 @dataclass(frozen=True)

@@ -6,27 +6,32 @@ strengths at the next turning point, L = ln(q/p) is the root of
     L - R(delta) + R(-F(L)) = 0,    F_i = delta_i e^((alpha_i-1) L),           T = T_q(delta) + T_q(-F).
 
 For alpha_i >= 1 the left-hand side grows at least at the rate 1, so any number is off by at most its residual there
-(derivation ``quarter-swing-tail``).  R and T_q are analytic in a wider polydisc than the half-swing, and interpolation
-in z (``coordinate``) takes fewer nodes.  Where z -> -z turns the sign of every strength (one law), one interpolant on
-[-z, z] serves both quarters.  With z = ln A the half-swing ends at z + L.
+(derivation ``quarter-swing-tail``); that number is read off an interpolant of L that nobody has to prove.  R and T_q
+are analytic in a wider polydisc than the half-swing, and interpolation in z (``coordinate``) takes fewer nodes.  Where
+z -> -z turns the sign of every strength (one law), one interpolant on [-z, z] serves both quarters.  With z = ln A the
+half-swing ends at z + L.
+
+*An uncertain amplitude.*  For alpha_i >= 1 the logarithms of two amplitudes do not part (derivation ``ratio-growth``):
+where z' lies in a ball about z, z'_end lies between z_end (z'/z) and z_end (z/z'), and T is that of both balls.
 
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(120):
 ...     quadratic = Coordinate.of([(arb(1), ExactReal(2))])
-...     ratio, duration = HalfSwings.up_to(quadratic, arb("0.11"), 60)(arb("0.1"))
+...     ratio, duration = HalfSwings.up_to(quadratic, arb("0.109375"), 60)(arb("0.1"))
 >>> ratio.str(12), duration.str(12)      # 1 + W_0(-(1 + 2 delta) e^-(1 + 2 delta)) over 2 delta
 ('[0.882189986247 +/- ...]', '[3.14622255601 +/- ...]')
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from flint import arb
+from flint import arb, arb_poly
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.return_map.coordinate import Coordinate
+from asymptotics.return_map.half_swing_map import ROUTE, HalfSwingBalls
 from asymptotics.return_map.panel_plan import verified, widest
 from asymptotics.return_map.quarters import quarter_swings
 
@@ -34,6 +39,7 @@ from asymptotics.return_map.quarters import quarter_swings
 # and the limit is for noise that goes on falling.
 _GUARD, _ROUNDS = 32, 60
 _ROOM = 1 + arb(2) ** -20  # for what midpoints drop
+_MORE = 8  # nodes of the guess beyond twice the terms of R: a choice
 _SHARE = 0.93  # of the reach in doubles: a node more costs less than a second majorant
 
 
@@ -57,12 +63,17 @@ class Quarters:
 @dataclass(frozen=True)
 class HalfSwings:
     """z = A^``root`` or, without it, ln A; quarters ``forwards`` at z and ``backwards`` at ``turn`` z (-1 where both
-    are one)."""
+    are one).
+
+    ``last``: of an interval from 0; ``guess``: nearly L there, in 2 z/last - 1.
+    """
 
     root: arb | None
     forwards: Quarters
     backwards: Quarters
     turn: int
+    last: arb
+    guess: arb_poly | None = None
 
     @classmethod
     def up_to(cls, coordinate: Coordinate, last: arb, bits: int) -> "HalfSwings":
@@ -73,9 +84,9 @@ class HalfSwings:
         with ctx.workprec(bits + _GUARD):
             # z -> -z turns every delta_i = epsilon_i z^k_i, which is a quarter backwards in time: one interpolant on
             # [-z, z] instead of two.
-            odd = all(int(float(k)) % 2 for k in coordinate.powers)
+            odd = coordinate.is_odd
             middle, half = (arb(0), last) if odd else (last / 2, last / 2)
-            return cls._about(coordinate, middle, half, bits, odd)
+            return cls._about(coordinate, middle, half, bits, odd)._guessed(bits)
 
     @classmethod
     def between(cls, coordinate: Coordinate, first: arb, last: arb, growth: arb, bits: int) -> "HalfSwings":
@@ -116,21 +127,49 @@ class HalfSwings:
             if part
         ]
         root = None if coordinate.root is None else arb(coordinate.root)
-        return cls(root, both[0], both[-1], -1 if odd else 1)
+        return cls(root, both[0], both[-1], -1 if odd else 1, (middle + half).mid())
 
-    def __call__(self, z: arb) -> tuple[arb, arb]:
-        """(q/p, T) at a ball z in the interval."""
+    def _guessed(self, bits: int) -> "HalfSwings":
+        """The same with L nearly, for an interval from 0: as many nodes as R took terms, and some more."""
+        places = nodes(2 * self.forwards.R.degree + _MORE)
+        found = [
+            self._near(z, self.forwards.R(self.forwards.place(z))) for z in ((t + 1) / 2 * self.last for t in places)
+        ]
+        # A choice like any other guess: its error is not used.
+        return replace(self, guess=interpolant(found, arb(1), arb(2), arb(2) ** -bits).polynomial)
+
+    def holds(self, z: arb) -> bool:
+        """Whether every place in the ball lies in the interval from 0."""
+        return bool(z > 0) and bool(z <= self.last)
+
+    def __call__(self, z: arb, wide: arb | None = None) -> tuple[arb, arb]:
+        """(q/p, T) at a ball z in the interval; T of every place in the ball ``wide`` about an interval from 0."""
         t = self.forwards.place(z)
         before = self.forwards.R(t)
-        L = self._near(z, before)
+        L = self._near(z, before) if self.guess is None else self.guess(2 * z / self.last - 1).mid()
         # The left-hand side grows at least at the rate 1, as R falls in every delta_i and alpha_i >= 1 (derivation
         # ``quarter-swing-tail``): the root is no farther from the exact number L than the residual there.
         L += arb(0, upper(self._residual(z, before, L)))
-        return L.exp(), self.forwards.duration(t) + self.backwards.duration(self._after(z, L))
+        if wide is None:
+            return L.exp(), self.forwards.duration(t) + self.backwards.duration(self._after(z, L))
+        # Logarithms of amplitudes do not part, in either direction: both quotients.
+        after = self._end(z, L) * (wide / z).union(z / wide)
+        duration = self.forwards.duration(self.forwards.place(wide)) + self.backwards.duration(
+            self.backwards.place(after)
+        )
+        return L.exp(), duration
+
+    def half_swing(self, z: arb, wide: arb) -> HalfSwingBalls:
+        """The half-swing from the place z of an exact amplitude; its durations are those of all places in ``wide``."""
+        ratio, duration = self(z, wide)
+        return HalfSwingBalls(ratio, duration, ROUTE, self.forwards.R.degree, self.forwards.R.error)
 
     def _after(self, z: arb, L: arb) -> arb:
         """Where the half-swing ends, on the interval of the backward quarters."""
-        return self.backwards.place(z + L if self.root is None else self.turn * z * (self.root * L).exp())
+        return self.backwards.place(self._end(z, L))
+
+    def _end(self, z: arb, L: arb) -> arb:
+        return z + L if self.root is None else self.turn * z * (self.root * L).exp()
 
     def _residual(self, z: arb, before: arb, L: arb) -> arb:
         return L - before + self.backwards.R(self._after(z, L))

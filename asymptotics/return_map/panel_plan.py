@@ -1,65 +1,69 @@
-"""Which amplitudes the next panel of ``panels`` shall hold, and on which ellipse: choices in doubles, checked in balls.
+"""Which places z the next panel of ``panels`` shall hold, and on which ellipse: choices in doubles, checked in balls.
 
-A panel is worth its nodes if it saves more half-swings than it costs.  Amplitudes to come are guessed from the averaged
-law of each term, A' = -M_(alpha+1) epsilon A^alpha, followed in turn for a half-swing.
+A panel is worth its nodes if it saves more half-swings than it costs.
 
-* Where z falls to 0: one panel from there; larger amplitudes before it are integrated if that saves nodes.
-* Otherwise from the present amplitude to a smaller one, out of a few.
+* Where z is a power of the amplitude: an interval [0, z_top] out of a fixed row, z_top = 1/2 of the reach and ever
+  halves of that (``from_zero``), and 4/5 (``farthest``), so that a map that is asked again finds what it has.
+* Where z = ln A: from the present amplitude to a smaller one, out of a few (``between``).  Amplitudes to come are
+  guessed from the averaged law of each term, A' = -M_(alpha+1) epsilon A^alpha, followed in turn for a half-swing.
 
 >>> from asymptotics.numbers.exact import ExactReal
->>> linear_and_quadratic = Coordinate.of([(arb(1) / 20, ExactReal(1)), (arb(1) / 5, ExactReal(2))])
->>> plan = planned(linear_and_quadratic, 1.0, 1000, 120)
->>> (plan.low, plan.wait < 9, 15 < plan.nodes < 50, plan.served > 900) if plan else None
+>>> linear_and_quadratic = Coordinate.of([(arb(1) / 20, ExactReal(1)), (arb(1), ExactReal(2))])
+>>> long, short = (from_zero(linear_and_quadratic, z, 120, quartered=True) for z in (0.2, 1e-3))
+>>> (long.first, 0.2 < long.last < 0.5, 40 < long.nodes < 100, short.last <= long.last) if long and short else None
 (0.0, True, True, True)
->>> planned(linear_and_quadratic, 1.0, 10, 120) is None
+>>> from_zero(linear_and_quadratic, 1.0, 120, quartered=True) is None
 True
 """
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import ceil, cos, exp, inf, lgamma, log1p, log2, pi, sin, sqrt
+from math import ceil, cos, exp, inf, lgamma, log, log1p, log2, pi, sin, sqrt
 from operator import mul
 
 from flint import arb
 
 from asymptotics.errors import UndecidedError
-from asymptotics.expansions.half_swings.finite_majorant import BITS, Majorant
+from asymptotics.expansions.half_swings.finite_majorant import Majorant
 from asymptotics.flow.balls import upper
-from asymptotics.numbers.context import ctx, lru_cache
+from asymptotics.numbers.context import lru_cache
 from asymptotics.return_map.coordinate import Coordinate
 
 MIN_STRETCH, MAX_STRETCH = 1.5, 1e6
 """Of the ellipse, (R + 1/R)/2: below, nodes are many and polynomials cancel; above, one node is enough."""
-# Half-swings of the path; what comes after them counts for a panel that ends at z = 0 without being looked at.
+# Half-swings of the path; what comes after them counts as served where z falls, without being looked at.
 _LOOK_AHEAD = 3000
 _RANGE = 990.0  # log2 of the largest |z| looked at
-# In the unit in which a half-swing by pieces costs 1.  Where 8 was measured is not recorded; it decides only from how
+# In the unit in which a half-swing by pieces costs 1: measured at 80 bits for alpha = 3/2.  They decide only from how
 # many half-swings on a panel is worth while.
-_AT_ONCE = 8  # half-swings by pieces: what quarter-swings cost, however few nodes there are
-# Half-swings before the panel are weighed against its nodes: 5 or 20 would wait a little longer or shorter for it.
-_LASTING = 10  # a node is kept for the next who asks, a half-swing before the panel is not
-_PARTS = tuple(2.0**-k for k in (0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768))
+_AT_ONCE, _A_NODE = 4, 0.6  # half-swings by pieces: what quarter-swings cost however few they are, and each of them
+_OF_REACH, _FARTHEST = tuple(2.0**-k for k in range(1, 22)), 0.8  # the last places of the panels from 0
+_CHEAP, _DEARER = 50, 1.3  # half-swings by pieces, or the part of the shortest: what a longer panel may cost
+_DOWN = tuple(
+    k * log(2) for k in (0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768)
+)
 _DENSE = 8  # starts looked at one by one; then ever fewer
 _STEPS = 24  # of a quarter
+_MARGIN = 2.0**-10  # a panel of ln A begins that much above the amplitude it is made for: the error of it lies inside
 
 
 @dataclass(frozen=True)
 class PanelPlan:
-    """Amplitudes ``low`` to ``high`` on ``nodes`` nodes, for ``served`` half-swings, after ``wait`` without it.
+    """z from ``first`` to ``last`` on ``nodes`` nodes, for ``served`` half-swings, after ``wait`` without it.
 
     ``stretch``: the half axis of the ellipse in units of the panel's half width.
     """
 
-    low: float
-    high: float
+    first: float
+    last: float
     stretch: float
     nodes: int
-    served: int
-    wait: int
+    served: int = 0
+    wait: int = 0
 
-    def work(self, coordinate: Coordinate) -> int:
+    def work(self, quartered: bool) -> int:
         """What the nodes cost, in half-swings by pieces."""
-        return _AT_ONCE + self.nodes // 5 if coordinate.is_quartered else self.nodes
+        return _AT_ONCE + int(_A_NODE * self.nodes) if quartered else self.nodes
 
 
 @dataclass(frozen=True)
@@ -95,77 +99,103 @@ def verified(coordinate: Coordinate, middle: arb, half: arb, stretch: float, *, 
     raise UndecidedError("no ellipse about the panel is proved to lie in the domain of the half-swing")
 
 
-def planned(coordinate: Coordinate, size: float, remaining: int, bits: int) -> PanelPlan | None:
-    """The plan for ``remaining`` half-swings from the amplitude ``size``, None where no panel repays its nodes."""
-    if remaining < 4 or not 0 < size < inf:
-        return None
-    with ctx.workprec(BITS):
-        path = list(_path(coordinate, size, min(remaining, _LOOK_AHEAD)))
-        beyond = remaining - len(path) if len(path) == _LOOK_AHEAD else 0
-        if coordinate.from_zero:
-            return _from_zero(coordinate, path, beyond, bits)
-        return _between(coordinate, path, bits)
+def from_zero(coordinate: Coordinate, z: float, bits: int, *, quartered: bool) -> PanelPlan | None:
+    """The interval from 0 that shall hold z >= 0, a power of the amplitude; None beyond half of the reach.
 
-
-def _from_zero(coordinate: Coordinate, path: list[float], beyond: int, bits: int) -> PanelPlan | None:
-    """One panel for all amplitudes from some point of the path on."""
-    reach, best, total = reach_of(coordinate), None, len(path) + beyond
-    cheapest = inf
-    for wait, size in enumerate(path):
-        z = float(coordinate(arb(size)))
-        # The panel is [0, z], half width z/2; the ellipse may go as far as the reach, (reach - z/2)/(z/2).
-        stretch = min(2 * reach / z - 1, MAX_STRETCH) if z > 0 else MAX_STRETCH
-        if stretch > MIN_STRETCH:
-            plan = PanelPlan(0.0, size, stretch, _count(bits, stretch), total - wait, wait)
-            cost = plan.work(coordinate)
-            if cost + wait < total and cost + _LASTING * wait < cheapest:
-                best, cheapest = plan, cost + _LASTING * wait
-        if _LASTING * wait > cheapest:
+    The longest of a row that is not much dearer than the shortest; ``quartered``: read off quarter-swings.
+    """
+    plans: list[PanelPlan] = []
+    for share in _OF_REACH:
+        plan = _up_to(coordinate, share, bits, quartered)
+        if not plan.last >= z or not plan.last > 0:
             break
-    return best
+        plans.append(plan)
+    if not plans:
+        return None
+    # A longer one serves more laws.
+    most = max(_CHEAP, _DEARER * plans[-1].work(quartered))
+    return next((p for p in plans if p.work(quartered) <= most), plans[-1])
 
 
-def _between(coordinate: Coordinate, path: list[float], bits: int) -> PanelPlan | None:
-    """From one of a few starts on the path to one of a few amplitudes below it: the one that saves most."""
+def farthest(coordinate: Coordinate, bits: int, *, quartered: bool) -> PanelPlan:
+    """The interval from 0 that ends next to the reach: dear, for places that no other holds."""
+    return _up_to(coordinate, _FARTHEST, bits, quartered)
+
+
+def _up_to(coordinate: Coordinate, share: float, bits: int, quartered: bool) -> PanelPlan:
+    # The half width is last/2, and the ellipse may go as far as the reach: (reach - last/2)/(last/2).  Quarters of one
+    # law have the middle 0.
+    stretch = 1 / share if quartered and coordinate.is_odd else 2 / share - 1
+    return PanelPlan(0.0, share * reach_of(coordinate, whole=not quartered), stretch, _count(bits, stretch))
+
+
+def pieces_from_zero(coordinate: Coordinate, log_size: float, remaining: int, bits: int) -> int:
+    """What ``remaining`` half-swings from ln A cost in half-swings by pieces, the nodes of ``from_zero`` included."""
+    held, total, quartered = -1.0, 0, coordinate.is_quartered
+    places = list(path(coordinate, log_size, min(remaining, _LOOK_AHEAD)))
+    for z in (at_log(coordinate, place) for place in places):
+        if z <= held:
+            continue
+        plan = from_zero(coordinate, z, bits, quartered=quartered)
+        if plan is None:
+            total += 1
+        else:
+            held, total = plan.last, total + plan.work(quartered)
+    # What comes after the path: served if that is long, by pieces where it ended early.
+    return min(total if len(places) == _LOOK_AHEAD else total + remaining - len(places), remaining)
+
+
+def at_log(coordinate: Coordinate, log_size: float) -> float:
+    """z at ln A in doubles, 0 or infinity beyond their range."""
+    if coordinate.root is None:
+        return log_size
+    power = float(coordinate.root) * log_size
+    return exp(power) if power < 700 else inf
+
+
+def between(coordinate: Coordinate, log_size: float, remaining: int, bits: int) -> PanelPlan | None:
+    """With z = ln A: from one of a few starts on the path to one of a few places below it: the one that saves most."""
+    if remaining < 4:
+        return None
+    places = list(path(coordinate, log_size, min(remaining, _LOOK_AHEAD)))
     best, gain, start = None, 0, 0
     # A start so late that fewer half-swings are left than the best plan saves cannot save more.
-    while start < len(path) - gain - 4:
-        for part in _PARTS:
-            low = path[start] * part
-            served = sum(size > low for size in path[start:])
-            if served == len(path) - start:
-                # The last amplitude of the path, and what it may be off by.
-                low = 0.98 * path[-1]
-            stretch = _stretch(coordinate, low, path[start])
+    while start < len(places) - gain - 4:
+        for down in _DOWN:
+            low = places[start] - down
+            served = sum(place > low for place in places[start:])
+            if served == len(places) - start:
+                # The last place of the path, and what it may be off by.
+                low = places[-1] - 0.02
+            last = places[start] + _MARGIN
+            stretch = widest(coordinate, (low + last) / 2, (last - low) / 2)
             if stretch > MIN_STRETCH:
-                plan = PanelPlan(low, path[start], stretch, _count(bits, stretch), served, start)
-                if served - (cost := plan.work(coordinate)) > gain:
+                plan = PanelPlan(low, last, stretch, _count(bits, stretch), served, start)
+                if served - (cost := plan.work(coordinate.is_quartered)) > gain:
                     best, gain = plan, served - cost
-            if stretch <= MIN_STRETCH or served == len(path) - start:
+            if stretch <= MIN_STRETCH or served == len(places) - start:
                 break
         # Ever fewer starts: at least half of the amplitude farther down.
-        start += max(1, start // _DENSE, sum(size > path[start] / 2 for size in path[start:]))
+        start += max(1, start // _DENSE, sum(place > places[start] - log(2) for place in places[start:]))
     return best
 
 
-def _path(coordinate: Coordinate, size: float, count: int) -> Iterator[float]:
-    """``count`` amplitudes, by the averaged laws, while they are positive.
+def path(coordinate: Coordinate, log_size: float, count: int) -> Iterator[float]:
+    """ln A at ``count`` turning points, by the averaged laws, as long as it moves.
 
     >>> from asymptotics.numbers.exact import ExactReal
-    >>> path = _path(Coordinate.of([(arb(25), ExactReal(3))]), 1.0, 3)  # strong at first: the first order says 1e-13
-    >>> [round(size, 3) for size in path]
+    >>> places = path(Coordinate.of([(arb(25), ExactReal(3))]), 0.0, 3)  # strong at first: the first order says 1e-13
+    >>> [round(exp(place), 3) for place in places]
     [1.0, 0.129, 0.092]
     """
     laws = [(_moment(float(a) + 1) * float(e), float(a) - 1) for e, a in zip(coordinate.epsilons, coordinate.exponents)]
     for _ in range(count):
-        if not size > 1e-290:
-            return
-        yield size
+        yield log_size
         try:
             for m, w in laws:
-                loss = pi * m * size**w
+                loss = pi * m * exp(w * log_size)
                 # The averaged law A' = -m A^(w+1) of one term solved over a half-swing: A^-w grows by w m pi.
-                size *= exp(-loss if w == 0 else -log1p(w * loss) / w)
+                log_size -= loss if w == 0 else log1p(w * loss) / w
         except (OverflowError, ValueError):  # too strong to go on; or friction stops the mass
             return
 
@@ -184,14 +214,8 @@ def reach_of(coordinate: Coordinate, *, whole: bool = True) -> float:
     return float(2.0**low) if low > -_RANGE else 0.0
 
 
-def _stretch(coordinate: Coordinate, low: float, high: float) -> float:
-    """About the largest half axis, in units of the half width, with a majorant; 0 if there is none."""
-    first, last = sorted(float(coordinate(arb(p))) for p in (low, high))
-    return widest(coordinate, (first + last) / 2, (last - first) / 2)
-
-
 def widest(coordinate: Coordinate, middle: float, half: float, *, whole: bool = True) -> float:
-    """The same about a middle z (of the quarter-swing, if not ``whole``)."""
+    """About the largest half axis, in units of the half width, with a majorant about a middle z; 0 if there is none."""
     if not half > 0:
         return 0.0
     if coordinate.root is not None:

@@ -2,22 +2,26 @@
 
 What is interpolated is the return map of the section v = 0, as a function of the amplitude, with its time of return.
 
-A ``Panel`` holds q/p and T as polynomials in a coordinate z (``coordinate``, ``chebyshev``) for all amplitudes of an
-interval, with proved errors.  ``Panels`` lays one out when the half-swings still to come are expected to repay it, and
-hands out what it has; what no panel serves is integrated.  Only the choice is made in doubles.
+A ``Panel`` holds q/p and T as polynomials in a coordinate z (``coordinate``, ``chebyshev``) on an interval, with
+proved errors.  A ``ReturnMap`` has those of all laws that differ in the unit of amplitude alone (``ray``): of one
+exponent every strength, start and half-swing is read off it.  It lays a panel out when the half-swings asked for, and
+those that it could not serve before, repay it; what no panel serves is integrated.  Only the choice is made in doubles,
+and it depends on what was asked before: times differ, and digits, which are proved, do not.
 
 Every real amplitude in the interval lies in the polydisc of the majorant, where the motion reaches theta = pi: the next
 turning point exists.
 
 >>> from asymptotics.law import Law
 >>> with ctx.workprec(80):
-...     panel = Panels(Law({1: "1/20", 2: "1/5"}), 80).serving(arb(1), arb(0), 1000)
-...     found = panel.half_swing(arb("0.5")) if panel else None
+...     panels = Panels.alone(Law({1: "1/20", 2: "1/5"}), 80)
+...     found = panels.half_swing(arb("0.5"), arb(0), 1000)
 >>> found.amplitude.str(12), found.duration.str(12), found.route
 ('[0.818929935607 +/- ...]', '[3.15094119172 +/- ...]', 'Chebyshev interpolation in the amplitude')
 """
 
-from dataclasses import dataclass, field
+from collections import deque
+from dataclasses import dataclass
+from typing import Protocol
 
 from flint import arb
 
@@ -25,41 +29,45 @@ from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear import is_linear
 from asymptotics.law import Law
-from asymptotics.numbers.context import ctx, lru_cache
+from asymptotics.numbers.context import ctx, inside, lru_cache
 from asymptotics.return_map.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.return_map.coordinate import Coordinate
-from asymptotics.return_map.half_swing_map import INTEGRATED, HalfSwingBalls, integrated
-from asymptotics.return_map.panel_plan import Ellipse, PanelPlan, planned, verified
+from asymptotics.return_map.half_swing_map import INTEGRATED, ROUTE, HalfSwingBalls, integrated
+from asymptotics.return_map.panel_plan import (
+    Ellipse,
+    PanelPlan,
+    at_log,
+    between,
+    farthest,
+    from_zero,
+    path,
+    pieces_from_zero,
+    reach_of,
+    verified,
+)
+from asymptotics.return_map.ray import Ray, ray_of
 from asymptotics.running.budget import tick
 
-ROUTE = "Chebyshev interpolation in the amplitude"
 COLLOCATED = "quarter-swings by collocation"
-ONE = arb(1)
-# So that the amplitudes within the error of the first one lie inside; a thousandth more of the interval costs no node.
-_MARGIN = 2.0**-10  # a panel begins that much above the amplitude it is made for
 # Bits for the nodes and coefficients beyond the panel's, and of the panel beyond those asked for: a value read off it
 # must not be the weakest link.
 _GUARD, _SLACK = 32, 8
+_BLOCK = 8  # bits: requests of some more or fewer digits and points share a map
 # The averaged path may be wrong for strong laws; a plan whose time is over without its amplitude is replaced, at the
 # cost of a new plan.
 _AGAIN = 8  # half-swings after which a plan that does not come true is made anew
-# Below 2^-512 amplitudes are planned in units of 2^-512, below 2^-1024 in units of 2^-1024, and so on: in doubles,
-# whose range ends near 2^-1074. Half as many bits would plan as well, with more panels that end at a border.
-_SHRUNK = 512
+_MAPS, _LAWS, _PANELS = 32, 64, 64  # kept: maps, views of laws, panels of one map, the latest of each
 
 
 @dataclass(frozen=True)
 class Panel:
-    """q/p and T for the exact amplitudes from ``low`` (excluded where it is 0) to ``high``.
+    """q/p and T for ``first`` <= z <= ``last``: exact ends, about ``middle`` in units of 1/``scale``.
 
-    Amplitudes are given as they are, and the panel holds them in its ``unit``, a power of two.  ``cost``: its nodes,
-    each found ``by`` a route.
+    ``cost``: its nodes, each found ``by`` a route.
     """
 
-    coordinate: Coordinate
-    unit: arb
-    low: arb
-    high: arb
+    first: arb
+    last: arb
     middle: arb
     scale: arb
     ratio: Interpolant
@@ -67,127 +75,210 @@ class Panel:
     cost: int
     by: str
 
-    def holds(self, p: arb, error: arb) -> bool:
-        """Whether every amplitude within ``error`` of p lies in the panel."""
-        nearest, farthest = (p - error) / self.unit, (p + error) / self.unit
-        # Comparisons of balls that must be certain; amplitude 0 has no half-swing.
-        return bool(nearest >= self.low) and bool(nearest > 0) and bool(farthest <= self.high)
+    def holds(self, z: arb) -> bool:
+        """Whether every place in the ball lies in the panel."""
+        # Comparisons of balls that must be certain.
+        return bool(z >= self.first) and bool(z <= self.last)
 
-    def half_swing(self, p: arb, error: arb | None = None) -> HalfSwingBalls:
-        """The half-swing from the exact amplitude p.
+    def half_swing(self, z: arb, wide: arb) -> HalfSwingBalls:
+        """The half-swing from the place z of an exact amplitude; ``wide`` is that of all amplitudes within its error.
 
-        Its ball of durations holds that of every amplitude within ``error`` of p: what an error of the amplitude does
-        to the ratio is led on by contraction (``sequence.following``), what it does to the time is not.
+        What an error of the amplitude does to the ratio is led on by contraction (``sequence.following``); what it does
+        to the time is not, so that the ball of durations holds that of every place in ``wide``.
         """
-        t = self._place(p)
-        # The ratio is that of p itself, as the error of the amplitude is led on by contraction
-        # (``sequence.following``); the duration must hold for the truth.
-        wide = t if error is None or error == 0 else self._place(arb(p, error))
-        return HalfSwingBalls(self.ratio(t), self.duration(wide), ROUTE, self.ratio.degree, self.ratio.error)
-
-    def _place(self, p: arb) -> arb:
-        return (self.coordinate(p / self.unit) - self.middle) * self.scale
+        ratio = self.ratio((z - self.middle) * self.scale)
+        duration = self.duration((wide - self.middle) * self.scale)
+        return HalfSwingBalls(ratio, duration, ROUTE, self.ratio.degree, self.ratio.error)
 
 
-@dataclass
-class Panels:
-    """The panels of one law at one precision, laid out as they are needed."""
+class Readable(Protocol):
+    """What half-swings are read off: a ``Panel``, or from z = 0 on the quarter-swings themselves (``half_swings``)."""
 
-    law: Law
-    bits: int
-    made: list[Panel] = field(default_factory=list)
-    planned_for: tuple[float, int] = (0.0, 0)
-    plan: PanelPlan | None = None
-    shrunk: int = 0
+    def holds(self, z: arb, /) -> bool:
+        """As of a panel."""
 
-    def __post_init__(self) -> None:
-        with ctx.workprec(self.bits + _SLACK + _GUARD):
-            terms = [(t.strength.ball(), t.velocity) for t in self.law.terms if t.strength.sign > 0]
-            damping = Damping.of(terms)
-            self.closed, self.sizes = is_linear(damping), damping.sizes
-            self.coordinates: dict[int, Coordinate] = {} if self.closed else {0: Coordinate.of(terms)}
+    def half_swing(self, z: arb, wide: arb, /) -> HalfSwingBalls:
+        """As of a panel."""
 
-    def serving(self, p: arb, error: arb, remaining: int) -> Panel | None:
-        """A panel for the amplitudes within ``error`` of p; a new one if ``remaining`` half-swings may repay it."""
+
+class ReturnMap:
+    """The panels of one ray of laws that is not linear, at one precision, laid out as they are needed."""
+
+    def __init__(self, ray: Ray, bits: int) -> None:
+        self.bits = bits
+        with ctx.workprec(bits + _GUARD):
+            self.coordinate = Coordinate.of(ray.terms())
+        # Bounded: with z = ln A each law of the ray may add one.
+        self.made: deque[Readable] = deque(maxlen=_PANELS)
+        self.quartered = self.coordinate.is_quartered
+        self.missed: dict[PanelPlan, int] = {}
+        self.refused: set[PanelPlan] = set()
+        self.planned_for: tuple[float, int] = (0.0, 0)
+        self.plan: PanelPlan | None = None
+
+    @inside
+    def panel(self, z: arb, remaining: int) -> Readable | None:
+        """A panel for all places in the ball z; a new one if ``remaining`` half-swings may repay it."""
         # What has been laid out is free, whatever the plan says.
         for panel in self.made:
-            if panel.holds(p, error):
+            if panel.holds(z):
                 return panel
-        if self.closed:
+        plan = self._between(z, remaining) if self.coordinate.root is None else self._from_zero(z, remaining)
+        if plan is None:
             return None
-        if (shrunk := _shrunk(p)) != self.shrunk:
-            self.shrunk, self.plan, self.planned_for = shrunk, None, (0.0, 0)
-        coordinate, unit, bits = self.coordinate(shrunk), _unit(shrunk), self.bits + _SLACK
-        size = float(p / unit)
-        if not (size <= self.planned_for[0] and remaining <= self.planned_for[1]) or self._is_late(size, remaining):
-            self.plan, self.planned_for = planned(coordinate, size, remaining, bits), (size, remaining)
-        if self.plan is None or not self.plan.low < size <= self.plan.high:
+        new = self._laid_out(plan)
+        if new is None:
             return None
-        try:
-            panel = laid_out(coordinate, self.plan, bits, unit)
-        except UndecidedError:  # seen in doubles, not proved in balls: by pieces, where the plan would hold
-            self.plan = None
-            return None
-        self.made.append(panel)
+        self.made.append(new)
         self.planned_for = (0.0, 0)
-        return panel if panel.holds(p, error) else None
+        return new if new.holds(z) else None
 
-    def coordinate(self, shrunk: int) -> Coordinate:
-        """The coordinate of amplitudes in units of 2^(-512 ``shrunk``)."""
-        if shrunk not in self.coordinates:
-            with ctx.workprec(self.bits + _SLACK + _GUARD):
-                self.coordinates[shrunk] = self.coordinates[0].in_units(_unit(shrunk))
-        return self.coordinates[shrunk]
+    def _laid_out(self, plan: PanelPlan) -> Readable | None:
+        try:
+            if self.coordinate.root is None or not self.quartered:
+                return laid_out(self.coordinate, plan, self.bits)
+            from asymptotics.return_map.half_swings import HalfSwings  # noqa: PLC0415 (NumPy, only where it pays)
 
-    def _is_late(self, size: float, remaining: int) -> bool:
+            return HalfSwings.up_to(self.coordinate, arb(plan.last), self.bits)
+        # Seen in doubles, not proved in balls, or too many nodes: by pieces, where the plan would hold.
+        except (LimitError, UndecidedError):
+            tick()  # where the time is over, the plan is not to blame
+            self.refused.add(plan)
+            self.plan, self.quartered = None, False
+            return None
+
+    def _from_zero(self, z: arb, remaining: int) -> PanelPlan | None:
+        """The interval that holds z, if the half-swings that it would have served and will serve repay it."""
+        place, c = float(z.upper()), self.coordinate
+        plan, beyond = from_zero(c, place, self.bits, quartered=self.quartered), 0.0
+        if plan is None:
+            plan, beyond = farthest(c, self.bits, quartered=self.quartered), 0.5 * reach_of(c, whole=not self.quartered)
+        if not place <= plan.last or plan in self.refused:
+            return None
+        missed = self.missed[plan] = self.missed.get(plan, 0) + 1
+        work = plan.work(self.quartered)
+        # Where z falls as the amplitude does, the panel holds all that follows.
+        if beyond or not c.from_zero:
+            remaining = self._within(z, (beyond, plan.last), min(remaining, work + 1))
+        return plan if missed + remaining > work else None
+
+    def _within(self, z: arb, ends: tuple[float, float], count: int) -> int:
+        """About how many of the next ``count`` half-swings begin between two places."""
+        root = self.coordinate.root
+        assert root is not None
+        places = path(self.coordinate, float(z.log()) / float(root), count)
+        return sum(ends[0] < at_log(self.coordinate, place) <= ends[1] for place in places)
+
+    def _between(self, z: arb, remaining: int) -> PanelPlan | None:
+        place = float(z)
+        if not (place <= self.planned_for[0] and remaining <= self.planned_for[1]) or self._is_late(place, remaining):
+            self.plan = between(self.coordinate, place, remaining, self.bits)
+            self.planned_for = (place, remaining)
+        held = self.plan is not None and self.plan.first < place <= self.plan.last
+        return self.plan if held and self.plan not in self.refused else None
+
+    def _is_late(self, place: float, remaining: int) -> bool:
         """Whether the amplitude of the plan is not there although twice its half-swings have passed."""
         passed = self.planned_for[1] - remaining
-        return self.plan is not None and size > self.plan.high and passed > 2 * self.plan.wait + _AGAIN
+        return self.plan is not None and place > self.plan.last and passed > 2 * self.plan.wait + _AGAIN
+
+    def pieces(self, log_size: float, remaining: int) -> int:
+        """About what ``remaining`` half-swings from ln A cost with a new map, in half-swings by pieces."""
+        if self.coordinate.root is not None:
+            return pieces_from_zero(self.coordinate, log_size, remaining, self.bits)
+        total = 0
+        while remaining > 0:
+            plan = between(self.coordinate, log_size, remaining, self.bits)
+            if plan is None:
+                return total + remaining
+            total += plan.wait + plan.work(self.coordinate.is_quartered)
+            remaining -= plan.wait + plan.served
+            log_size = plan.first
+        return total
+
+
+class Panels:
+    """The return map of one law: that of its ``ray``, at amplitudes in the law's own unit; None where it is linear."""
+
+    def __init__(self, law: Law, kept: ReturnMap | None) -> None:
+        self.map = kept
+        with ctx.workprec((0 if kept is None else kept.bits) + _GUARD):
+            self.sizes = Damping.of_law(law).sizes
+            # z at A in the unit of the ray is z(A) times this factor, or plus it.
+            self.unit = arb(1) if kept is None else kept.coordinate.unit(ray_of(law)[1]())
+
+    @classmethod
+    def alone(cls, law: Law, bits: int) -> "Panels":
+        """Of a law whose map nobody else uses."""
+        return cls(law, None if _is_closed(law) else ReturnMap(ray_of(law)[0], _rounded(bits)))
+
+    @property
+    def closed(self) -> bool:
+        """Whether the law is linear: its half-swings have a closed form."""
+        return self.map is None
+
+    @property
+    def collocated(self) -> bool:
+        """Whether the nodes of a panel come from quarter-swings where those serve."""
+        return self.map is not None and self.map.coordinate.is_quartered
+
+    def half_swing(self, p: arb, error: arb, remaining: int) -> HalfSwingBalls | None:
+        """The half-swing from the exact amplitude p, with the durations of all within ``error``; or None."""
+        # Amplitude 0 has no half-swing.
+        if self.map is None or not p > error:
+            return None
+        # The ratio is that of p itself, as the error of the amplitude is led on by contraction
+        # (``sequence.following``); the duration must hold for the truth.
+        wide = self.place(p if error == 0 else arb(p, error))
+        panel = self.map.panel(wide, remaining)
+        if panel is None:
+            return None
+        return panel.half_swing(wide if error == 0 else self.place(p), wide)
+
+    def place(self, p: arb) -> arb:
+        """z at an amplitude > 0 of this law, in the unit of the ray."""
+        assert self.map is not None
+        z = self.map.coordinate(p)
+        return z + self.unit if self.map.coordinate.root is None else z * self.unit
 
     def pieces(self, remaining: int) -> int:
         """About how many half-swings by pieces ``remaining`` of them from X = 1 are worth, nodes included.
 
         0 where they have a closed form.
         """
-        if self.closed:
+        if self.map is None:
             return 0
-        size, shrunk, total = 1.0, 0, 0
-        while remaining > 0:
-            coordinate = self.coordinate(shrunk)
-            plan = planned(coordinate, size, remaining, self.bits + _SLACK)
-            if plan is None:
-                return total + remaining
-            total += plan.wait + plan.work(coordinate)
-            remaining -= plan.wait + plan.served
-            size = plan.low
-            while 0 < size <= 2.0**-_SHRUNK:
-                size, shrunk = size * 2.0**_SHRUNK, shrunk + 1
-        return total
+        z, root = self.place(arb(1)), self.map.coordinate.root
+        return self.map.pieces(float(z if root is None else z.log() / root), remaining)
 
 
-def _shrunk(p: arb) -> int:
-    """How often p can be doubled 512 times and stay at most 1."""
-    mantissa, exponent = p.mid().man_exp()
-    return max(0, -(int(exponent) + mantissa.bit_length()) // _SHRUNK)
+def _is_closed(law: Law) -> bool:
+    with ctx.workprec(64):
+        return is_linear(Damping.of_law(law))
 
 
-def _unit(shrunk: int) -> arb:
-    """2^(-512 ``shrunk``), exactly."""
-    return arb(2) ** (-_SHRUNK * shrunk)
+def _rounded(bits: int) -> int:
+    """The bits of the map that serves requests of ``bits``."""
+    return -(-(bits + _SLACK) // _BLOCK) * _BLOCK
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=_MAPS)
+def map_of(ray: Ray, bits: int) -> ReturnMap:
+    """The return map of a ray at a precision, kept for the next who asks."""
+    return ReturnMap(ray, bits)
+
+
+@lru_cache(maxsize=_LAWS)
 def panels_of(law: Law, bits: int) -> Panels:
-    """The panels of a law at a precision, kept for the next who asks."""
-    return Panels(law, bits)
+    """The return map of a law at a precision, which is that of its ray."""
+    return Panels(law, None if _is_closed(law) else map_of(ray_of(law)[0], _rounded(bits)))
 
 
-def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int, unit: arb = ONE) -> Panel:
-    """The panel of a plan, at ``bits`` bits, for amplitudes in that ``unit``; its nodes are integrated."""
+def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int) -> Panel:
+    """The panel of a plan, at ``bits`` bits; its nodes are integrated."""
     with ctx.workprec(bits + _GUARD):
         # Doubles become exact ends here; all bounds from now on are about the interval between them.
-        low, high = arb(plan.low), arb(plan.high * (1 + _MARGIN))
-        first, last = _outwards(coordinate, low, high)
+        first, last = arb(plan.first), arb(plan.last)
         middle, half = (first + last) / 2, (last - first) / 2
         ellipse = verified(coordinate, middle, half, plan.stretch)
         count = ellipse.nodes_for(bits)
@@ -198,7 +289,7 @@ def laid_out(coordinate: Coordinate, plan: PanelPlan, bits: int, unit: arb = ONE
             interpolant(values, bound, ellipse.R, fine)
             for values, bound in ((ratios, ellipse.ratio_bound), (durations, ellipse.majorant.excess))
         )
-    return Panel(coordinate, unit, low, high, middle, 1 / half, ratio, duration, count, by)
+    return Panel(first, last, middle, 1 / half, ratio, duration, count, by)
 
 
 def _half_swings(
@@ -209,20 +300,16 @@ def _half_swings(
     ``within``: the least and the largest z, and the ellipse about them.
     """
     first, last, ellipse = within
-    if coordinate.is_quartered:
+    if coordinate.is_quartered and coordinate.root is None:
         from asymptotics.return_map.half_swings import HalfSwings  # noqa: PLC0415 (NumPy, only where it pays)
 
         try:
             # All nodes at once by collocation, about five times cheaper than by pieces (``PanelPlan.work``); where the
             # quarters need too many nodes or are not enclosed, pieces serve.
-            swings = (
-                HalfSwings.up_to(coordinate, last, bits)
-                if coordinate.from_zero
-                else HalfSwings.between(coordinate, first, last, ellipse.majorant.growth, bits)
-            )
+            swings = HalfSwings.between(coordinate, first, last, ellipse.majorant.growth, bits)
             return COLLOCATED, [swings(z) for z in places]
         except (LimitError, UndecidedError):
-            pass
+            tick()
     found = []
     for j, z in enumerate(places):
         tick(f"node {j} of {len(places)} of an interpolation")
@@ -231,16 +318,6 @@ def _half_swings(
             there = integrated(law, arb(1))
         found.append((_certain(there.amplitude), _certain(there.duration)))
     return INTEGRATED, found
-
-
-def _outwards(coordinate: Coordinate, low: arb, high: arb) -> tuple[arb, arb]:
-    """Exact z that enclose the images of both amplitudes, ascending."""
-    # z falls with the amplitude where its root is below 0, so the ends are sorted; rounded outwards, the interval of z
-    # holds every amplitude of the panel.
-    ends = [arb(0) if p == 0 else coordinate(p) for p in (low, high)]
-    first, last = ends if ends[0] < ends[1] else reversed(ends)
-    with ctx.workprec(53):
-        return (first + 0).lower(), (last + 0).upper()
 
 
 def _certain(value: arb | None) -> arb:

@@ -40,10 +40,10 @@ class Interpolated(LinearSpring):
         remaining = self.last - here.n if before is None else _whole_swings(before - here.time)
         if before is not None and remaining <= 0:
             return None
-        panel = self.panels.serving(here.amplitude, here.amplitude_error, remaining)
-        if panel is None:
+        found = self.panels.half_swing(here.amplitude, here.amplitude_error, remaining)
+        if found is None:
             return None
-        there = following(self.force, here, panel.half_swing(here.amplitude, here.amplitude_error))
+        there = following(self.force, here, found)
         # A turning point after the time asked for is of no use: the state in between has to be followed by pieces.
         return there if before is None or there.time < before else None
 

@@ -161,7 +161,7 @@ def _read_only(command: str, points: Sequence[Point], folder: Path) -> SweepPlan
     found = finished(command, points, Store(folder))
     if found is None:
         accepted = "a folder that can be written, or a sweep that is finished in it"
-        raise InputError("store", f"{folder} can only be read, and does not hold every point", accepted)
+        raise InputError("folder", f"{folder} can only be read, and does not hold every point", accepted)
     return found
 
 
@@ -296,7 +296,7 @@ class _Driver:
             except OSError as error:
                 reason = f"cannot write to {self.plan.store.folder}: {error.strerror}"
                 accepted = "a disk with room: what is finished is safe, and the same command continues"
-                raise InputError("store", reason, accepted) from error
+                raise InputError("folder", reason, accepted) from error
         self.computed += 1
         if outcome.failed:
             self.plan.failures.add(job.index, job.point, outcome.reason)

@@ -114,10 +114,10 @@ def _opened(path: Path, how: int) -> int:
     try:
         handle = os.open(path, flags | getattr(os, "O_BINARY", 0), 0o644)
     except OSError as error:
-        raise InputError("store", f"cannot open {path.name}: {error.strerror}", "a store of plain files") from error
+        raise InputError("folder", f"cannot open {path.name}: {error.strerror}", "a store of plain files") from error
     if path.is_symlink() or not stat.S_ISREG(os.fstat(handle).st_mode):
         os.close(handle)
-        raise InputError("store", f"{path.name} is no plain file", "a store of plain files")
+        raise InputError("folder", f"{path.name} is no plain file", "a store of plain files")
     return handle
 
 
@@ -153,13 +153,13 @@ class LockedShard:
         except ModuleNotFoundError as error:
             os.close(handle)
             accepted = "a system with fcntl: Linux, macOS, or Linux in Windows (WSL)"
-            raise InputError("store", "this system has no such locks of files as a store needs", accepted) from error
+            raise InputError("folder", "this system has no such locks of files as a store needs", accepted) from error
         except BlockingIOError:
             os.close(handle)
             return None
         except OSError as error:
             os.close(handle)
-            raise InputError("store", f"cannot lock {path.name}: {error.strerror}", "a disk with locks") from error
+            raise InputError("folder", f"cannot lock {path.name}: {error.strerror}", "a disk with locks") from error
 
     def append(self, key: str, record: str) -> None:
         """Add a finished point; on an OSError (a full disk) the file is what it was before."""

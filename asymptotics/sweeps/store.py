@@ -41,7 +41,7 @@ class Store:
             # Only a folder that is new or empty becomes a store: nobody's other files get shards put among them.
             new = create and not about.exists() and not (folder.exists() and any(folder.iterdir()))
             if new or self.rebuilt:
-                require_writable(folder / "shards", "store")
+                require_writable(folder / "shards", "folder")
                 write_atomically(
                     about, json.dumps({"format": FORMAT, "version": __version__, "made_by": made_by()}) + "\n"
                 )
@@ -50,21 +50,21 @@ class Store:
             raise
         except (OSError, ValueError) as error:
             reason = error.strerror if isinstance(error, OSError) else "store.json is damaged"
-            raise InputError("store", f"{folder} is not a store: {reason}", ACCEPTED) from error
+            raise InputError("folder", f"{folder} is not a store: {reason}", ACCEPTED) from error
         self._check(found)
 
     def _check(self, found: Any) -> None:
         if not isinstance(found, dict) or found.get("format") != FORMAT:
-            raise InputError("store", f"{self.folder} is of another kind or format", ACCEPTED)
+            raise InputError("folder", f"{self.folder} is of another kind or format", ACCEPTED)
         if found.get("version") != __version__:
             reason = f"{self.folder} holds results of version {str(found.get('version'))[:20]}, this is {__version__}"
-            raise InputError("store", reason, ACCEPTED)
+            raise InputError("folder", reason, ACCEPTED)
         # Other code may be wrong where this is right: its results are refused, not mixed with those of this code.
         other = _difference(found.get("made_by"))
         if other is not None:
-            raise InputError("store", f"{self.folder} holds results of {other}: they are not believed", ACCEPTED)
+            raise InputError("folder", f"{self.folder} holds results of {other}: they are not believed", ACCEPTED)
         if not (self.folder / "shards").is_dir():
-            raise InputError("store", f"{self.folder} has no folder shards", ACCEPTED)
+            raise InputError("folder", f"{self.folder} has no folder shards", ACCEPTED)
 
     def path(self, bucket: int) -> Path:
         """The file of a bucket."""
@@ -107,7 +107,7 @@ def require_usable(folder: Path) -> None:
         if used and not (folder.is_dir() and _holds_points_of_this_code(folder)):
             Store(folder)
     except OSError as error:
-        raise InputError("store", f"{folder} is not a store: {error.strerror}", ACCEPTED) from error
+        raise InputError("folder", f"{folder} is not a store: {error.strerror}", ACCEPTED) from error
 
 
 def task_of(command: str, point: Point) -> dict[str, Any]:

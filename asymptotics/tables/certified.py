@@ -14,6 +14,7 @@ from asymptotics.certificates.of_results import of_claims
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.running.budget import DEFAULT_SECONDS, seconds_left
+from asymptotics.tables.inputs import terms_of_label
 
 Row = Mapping[str, str]
 
@@ -44,8 +45,11 @@ def of_rows(
         if row.get("certified", "true") != "true":
             left.append(f"{row['law']}: an estimate")
             continue
-        for key, oscillator, claim in CLAIMS[name](row, digits):
-            claimed.setdefault(key, Claimed(oscillator, key)).claims.append(claim)
+        try:
+            for key, oscillator, claim in CLAIMS[name](row, digits):
+                claimed.setdefault(key, Claimed(oscillator, key)).claims.append(claim)
+        except InputError as refused:
+            left.append(f"{row['law']}: {refused.reason}")
     made = []
     for each in claimed.values():
         try:
@@ -55,7 +59,7 @@ def of_rows(
             if refused.argument != "certificate":
                 raise
             left.append(f"{each.name}: {refused.reason}")
-    return together(made, [*left, *LEFT.get(name, ())])
+    return together(made, dict.fromkeys([*left, *LEFT.get(name, ())]))
 
 
 def _turning_points(row: Row, digits: int) -> Iterator[tuple[str, Oscillator, Claim]]:
@@ -88,7 +92,14 @@ def _turned(n: int, x: str, t: str | None, digits: int) -> Claim:
 
 def _oscillator(law: str) -> Oscillator:
     """A law as the tables write it."""
-    return Oscillator(Law(dict(term.split(":") for term in law.split(","))))
+    found: dict[str | tuple[str, int], str] = {}
+    for term in terms_of_label(law):
+        if term.startswith("spring"):
+            raise InputError("certificate", "beside a spring two motions may part", "powers of the velocity")
+        exponents, _, strength = term.partition(":")
+        velocity, _, place = exponents.partition(",")
+        found[(velocity, int(place)) if place else velocity] = strength
+    return Oscillator(Law(found))
 
 
 CLAIMS: dict[str, Callable[[Row, int], Iterator[tuple[str, Oscillator, Claim]]]] = {

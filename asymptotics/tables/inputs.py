@@ -14,6 +14,7 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.numbers.policy import Number, exact_number
+from asymptotics.terms import Term
 
 # Refusals: a table is made in memory and read by people.  MAX_CELLS is for tables whose rows grow with their number.
 MAX_ROWS, MAX_ALPHA, MAX_CELLS = 100_000, 1000, 1_000_000
@@ -99,8 +100,35 @@ class Inputs:
 
 
 def label(law: Law) -> str:
-    """A law as the command line writes it: 0:1/10,1:1/10."""
-    return ",".join(f"{t.velocity}:{t.strength}" for t in law.terms)
+    """A law as the command line writes it: 0:1/10,1:1/10, and 1,2:1/10 for x^2 x'; a spring beside it in words.
+
+    >>> label(Law({0: "1/50", (1, 2): "1/10"}))
+    '0:1/50,1,2:1/10'
+    """
+    return ",".join(map(_term, law.terms))
+
+
+def _term(term: Term) -> str:
+    if term.is_power_of_velocity:
+        return f"{term.velocity}:{term.strength}"
+    if term.odd_in == "velocity":
+        return f"{term.velocity},{term.position}:{term.strength}"
+    return f"spring {term.shape()}:{term.strength}"
+
+
+def terms_of_label(text: str) -> tuple[str, ...]:
+    """The terms of a label; a piece without a colon belongs to the next one.
+
+    >>> terms_of_label("0:1/50,1,2:1/10")
+    ('0:1/50', '1,2:1/10')
+    """
+    found, begun = list[str](), list[str]()
+    for piece in text.split(","):
+        begun.append(piece)
+        if ":" in piece:
+            found.append(",".join(begun))
+            begun = []
+    return (*found, *([",".join(begun)] if begun else []))
 
 
 def _several(given: Any) -> Sequence[Any]:

@@ -32,7 +32,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any
 
-from flint import acb, arb
+from flint import arb
 
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.certified_zeros import certified_half_swing
@@ -40,6 +40,7 @@ from asymptotics.expansions.half_swings.finite_majorant import BITS, Majorant
 from asymptotics.expansions.normal_form.flow import flow_of
 from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integral import integral
 from asymptotics.series import Key
 from asymptotics.turning.abel import least_beyond, polydiscs
 
@@ -220,7 +221,8 @@ class AbelFlow:
 
     def _integral(self, drive: Sequence[Part], low: arb, high: arb) -> arb:
         limit = _EVALUATIONS * (1 + ctx.prec // 100)
-        found = acb.integral(lambda z, _: self.integrand(drive, z), acb(low), acb(high), eval_limit=limit).real
+        words = "an integral of the slow flow"
+        found = integral(lambda z, _: self.integrand(drive, z), low, high, words, evaluations=limit)
         if not found.is_finite():
             raise UndecidedError("an integral of the slow flow was not enclosed")
         return found

@@ -121,6 +121,7 @@ def weakly_damped(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.solvable-only-linear", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-friction-exact", line=1,
     shortfall=Shortfall.CONSEQUENCE,
     title="Linear, and therefore solvable in elementary functions, only for alpha = 1",
     latex=r"\text{Eq. (1) is a linear equation---and therefore solvable in terms of elementary functions---only for}"

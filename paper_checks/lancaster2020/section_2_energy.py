@@ -40,6 +40,7 @@ LAW = (("3/2", "1"),)
 
 @statement(
     id="lancaster2020:claim.phase-at-start", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lancaster-conditions", line=1,
     shortfall=Shortfall.CONDITION,
     title="phi(0) = 0 corresponds to a start from rest",
     latex=r"\varphi(0) = 0 \text{, corresponding to } \dot{x}(0) = 0 \text{ without loss of generality}",
@@ -135,6 +136,7 @@ def energy_with_amplitude(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.slow-timescale", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lancaster-conditions", line=3,
     shortfall=Shortfall.CONSEQUENCE,
     title="Slow dissipation means slow against the period (below (5))",
     paraphrase=True,
@@ -185,6 +187,7 @@ def energy_rate(form: int) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.energy-derivative", kind=Kind.IDENTITY, verdict=Printed.TRANSCRIPTION,
+    derivation="lancaster-energy", line=6,
     evidence=Evidence.PROVED, title="The time derivative of (6)",
     latex=r"E = kAA", corrected_latex=r"\dot{E} = kA\dot{A}", printed=k * A * A, corrected=k * A * rate,
     near_miss=k * A * rate / 2, conditions="none", methods=("(6) differentiated",),
@@ -197,7 +200,7 @@ def derivative_of_slow_energy(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:8", kind=Kind.IDENTITY, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
-    derivation="lancaster-literal-average",
+    derivation="lancaster-literal-average", line=2,
     shortfall=Shortfall.CONDITION,
     title="The equation for the amplitude", latex=r"kA\dot{A} = f_{\alpha}(\dot{x})\dot{x}",
     corrected_latex=r"kA\dot{A}\,[1 - \cos(2\omega_0 t)] \simeq f_{\alpha}(\dot{x})\dot{x} \text{ for } x ="
@@ -231,6 +234,7 @@ def dissipation(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.slow-dissipation", kind=Kind.DEFINITION, verdict=Printed.TRANSCRIPTION,
+    derivation="lancaster-energy", line=3,
     evidence=Evidence.PROVED, title="The limit of slow dissipation (above (9))",
     latex=r"\text{the limit of slow dissipation } (A \ll \omega_0 A)",
     corrected_latex=r"|\dot{A}| \ll \omega_0 A", printed=A, corrected=rate, near_miss=sympy.diff(A, t, 2),

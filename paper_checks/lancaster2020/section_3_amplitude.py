@@ -240,6 +240,7 @@ def three_cases(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.any-exponent", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lancaster-conditions", line=7,
     shortfall=Shortfall.RANGE,
     title="A(t) may be obtained for any real value of the exponent",
     latex=r"\text{one may also obtain } A(t) \text{ for any real value of damping exponent}",

@@ -86,6 +86,7 @@ STRAY = sympy.Symbol("a_0", positive=True)
 
 @statement(
     id="lancaster2020:table1.alpha3", kind=Kind.IDENTITY, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
+    derivation="lancaster-conditions", line=12,
     title="Table I: cubic damping",
     latex=r"\frac{1 + \frac{3a_0x_0^2}{3\pi m}}{x_0} = \frac{x_0}{\sqrt{1 + \frac{3bkx_0^2t}{4m^2}}}",
     corrected_latex=r"\frac{x_0}{\sqrt{1 + \frac{3bkx_0^2t}{4m^2}}}",

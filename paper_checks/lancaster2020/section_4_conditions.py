@@ -91,6 +91,7 @@ def weak_friction(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:17", kind=Kind.APPROXIMATION, verdict=Printed.PARTLY,
+    derivation="lancaster-conditions", line=10,
     shortfall=Shortfall.CONDITION,
     evidence=Evidence.CERTIFIED, extent="sampled: 2 points", order="0",
     title="The condition of slow dissipation for alpha < 1",
@@ -101,7 +102,6 @@ def weak_friction(form: sympy.Expr) -> Outcome:
     printed=1 / mean(-p + 1), corrected=sympy.Integer(1), near_miss=sympy.Integer(2),
     conditions="alpha < 1; as printed, in order of magnitude while (1-alpha) epsilon omega_0 t < 1 is not near 1",
     methods=("quotient to (14) shortly before each bracket vanishes, alpha = 0 and 1/2, balls",),
-    derivation="lancaster-energy",
     note="Signs and powers are right. But a scale cannot stand for kappa in a difference: the printed rate is infinite"
     " at omega_0 t = 1/((1-alpha) epsilon), when the true one is still of order kappa omega_0 (alpha = 0: 2.75 kappa"
     " omega_0 at 64 % of the life time). Form: what stands for kappa, in units of kappa, with p = 1 - alpha.",

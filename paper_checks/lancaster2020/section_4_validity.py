@@ -130,7 +130,7 @@ EXPONENTS_ABOVE_ONE = tuple(map(sympy.Rational, ("6/5", "3/2", "2", "3", "5")))
 
 @statement(
     id="lancaster2020:claim.valid-for-any-b", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
-    derivation="creep-arrival",
+    derivation="creep-arrival", line=13,
     shortfall=Shortfall.RANGE,
     extent="sampled: 10 points",
     title="When (13) becomes valid",
@@ -211,7 +211,7 @@ def _turning_point(exponent: str, epsilon: int, count: int) -> tuple[str, str]:
 
 @statement(
     id="lancaster2020:claim.corollary", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
-    derivation="no-overdamping",
+    derivation="lancaster-conditions", line=15,
     shortfall=Shortfall.CONSEQUENCE, title="That there is no overdamping is a corollary of the validity of (13)",
     latex=r"\text{An interesting corollary to this statement is that critically damped or overdamped behavior does not}"
     r"\ \text{occur}",
@@ -283,6 +283,7 @@ def quadratic_never_overdamped(form: int) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.large-b-agreement", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
+    derivation="creep-arrival", line=19,
     shortfall=Shortfall.RANGE,
     extent="sampled: 15 points",
     title="Agreement for large b, with only the phase disagreeing substantially",

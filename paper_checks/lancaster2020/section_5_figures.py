@@ -111,6 +111,7 @@ def works_at_short_times(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.gradual-breakdown", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
+    derivation="lelas-friction-exact", line=11,
     shortfall=Shortfall.CONDITION,
     title="Figure 1 depicts the gradual breakdown for alpha = 0 at long times",
     latex=r"\text{Figure 1 depicts the gradual breakdown for the case } \alpha = 0",
@@ -255,6 +256,7 @@ def _mean_speed(step: float, steps: int = 4000) -> float:
 
 @statement(
     id="lancaster2020:claim.never-strictly-zero", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.MEASURED,
+    derivation="lelas-friction-exact", line=5,
     extent="sampled: 60 points", shortfall=Shortfall.CONDITION,
     title="Within a numerical scheme the velocity is never strictly zero (footnote 20)",
     latex=r"\text{Within a numerical integration scheme, the velocity is never strictly zero}",

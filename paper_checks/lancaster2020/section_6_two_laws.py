@@ -82,7 +82,7 @@ def slow_two_terms(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.velocity-sign", kind=Kind.APPROXIMATION, verdict=Printed.MISPRINT,
-    derivation="lancaster-literal-average",
+    derivation="lancaster-energy", line=1,
     evidence=Evidence.PROVED, order="1", title="The velocity used for (19)",
     latex=r"\dot{x}(t) \simeq \omega_0 A\sin(\omega_0 t)",
     corrected_latex=r"\dot{x}(t) \simeq -\omega_0 A\sin(\omega_0 t)",

@@ -11,6 +11,7 @@ from flint import arb
 
 from asymptotics.numbers.context import ctx
 from paper_checks.evidence import mark, sampled
+from paper_checks.grammar import HYPERGEOMETRIC
 from paper_checks.identities import all_confirmed, decided, rounds_to, same, vanishes
 from paper_checks.lancaster2020.model import A, alpha, b, b2, dimension, exact_states, k, m, omega0, t, v, x0, zero
 from paper_checks.lancaster2020.model import alpha2 as beta
@@ -36,6 +37,7 @@ LONG_TIME = x0 / (1 + RATIO * x0) * sympy.exp(-b * t / (2 * m))
 
 @statement(
     id="lancaster2020:22", kind=Kind.APPROXIMATION, verdict=Printed.PARTLY, evidence=Evidence.PROVED, order="0",
+    derivation="two-laws-time", line=15,
     shortfall=Shortfall.RANGE,
     title="The amplitude at late times",
     latex=r"A(t) \xrightarrow{\omega_0 t \gg 1} \frac{x_0}{1 + \frac{8b'\omega_0}{3b\pi}x_0}e^{-\frac{bt}{2m}}",
@@ -43,7 +45,6 @@ LONG_TIME = x0 / (1 + RATIO * x0) * sympy.exp(-b * t / (2 * m))
     printed=(LONG_TIME, omega0 * t), corrected=(LONG_TIME, b * t / (2 * m)),
     near_miss=(LONG_TIME * x0 * RATIO, b * t / (2 * m)), conditions="alpha = 1, alpha' = 2, b > 0, b < 2 m omega_0",
     methods=("quotient to (21) along b = m omega_0/z^2, where z is the variable of the label",),
-    derivation="two-laws-time",
     note="Formula right, limit in the wrong variable: the relative error of (22) is c' lambda e^{-bt/(2m)}, so it is"
     " bt/(2m), not omega_0 t, that must be large. In Fig. 3 (b = omega_0 x0 b') the two differ by 46 % at the start and"
     " as long as omega_0 t << m omega_0/b. Order 0: at a fixed slow time the error does not vanish with epsilon. Form:"
@@ -147,13 +148,14 @@ def _any(exponents: tuple[sympy.Rational, ...]) -> bool:
 
 @statement(
     id="lancaster2020:claim.single-term-slow", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.MEASURED,
+    derivation="two-laws-time", line=24,
     shortfall=Shortfall.CONDITION,
     extent="sampled: 8 points",
     title="When damping with alpha > 2 decays too slowly",
     latex=r"\text{the argument ... only holds when a } single \text{ damping term with } \alpha > 2 \text{ is present}",
     corrected_latex=r"\text{it holds when all terms present have } \alpha > 2", printed=_single, corrected=_smallest,
     near_miss=_any, conditions="as printed: if the other term has an exponent of at most 2",
-    methods=("late decay by the smallest exponent, claim.smallest-alpha",), derivation="two-laws-time",
+    methods=("late decay by the smallest exponent, claim.smallest-alpha",),
     note="With (1, alpha') the decay is exponential, as the paper says; with (3, 4) it is t^(-1/2), no faster than with"
     " 3 alone. 'Too slow' means slower than the 1/t of alpha = 2. Form: for which sets of exponents it decays slowly.",
 )
@@ -193,6 +195,7 @@ def not_distinguishable(form: tuple[str, str]) -> Outcome:
 
 @statement(
     id="lancaster2020:claim.no-exact-solutions", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-friction-exact", line=18,
     shortfall=Shortfall.RANGE,
     title="Combinations of sliding, linear and quadratic drag have no exact solutions",
     latex=r"\text{such a setup which has no exact solutions}", printed=None, corrected=-b / k, near_miss=b / k,
@@ -221,12 +224,18 @@ def exact_solutions(form: sympy.Expr | None) -> Outcome:
     return all_confirmed(vanishes(sympy.expand(residual.subs(k, m * (gamma**2 + omega**2)))), linear)
 
 
-def antiderivative(x: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr, sympy.Expr]:
-    """Footnote 22 as printed: (factor, second parameter, lower parameter, argument) of factor 2F1(1, a; e; z)."""
-    factor = x ** (1 - beta) / (d * (1 - beta))
-    return factor, (beta - 1) / (beta - alpha), (1 + alpha - 2 * beta) / (alpha - beta), -c / d * x ** (alpha - beta)
+ANTIDERIVATIVE = (
+    X ** (1 - beta) / (d * (1 - beta))
+    * HYPERGEOMETRIC(1, (beta - 1) / (beta - alpha), (1 + alpha - 2 * beta) / (alpha - beta),
+                     -c / d * X ** (alpha - beta))
+)  # footnote 22 as printed: a factor times 2F1(1, a; e; z)
 
 
+FOOTNOTE_22 = (
+    r"\int\frac{dx}{cx^{\alpha} + c'x^{\alpha'}} = \frac{x^{1-\alpha'}\,{}_2F_1\left(1,"
+    r"\frac{\alpha'-1}{\alpha'-\alpha};\frac{1+\alpha-2\alpha'}{\alpha-\alpha'};-\frac{c}{c'}x^{\alpha-\alpha'}\right)}"
+    r"{c'(1-\alpha')}"
+)
 EXCEPTIONS = ((0, "1/2"), (0, "1/3"), ("1/3", "2/3"))  # besides alpha' = 1
 EXPONENT_PAIRS = (
     (1, 2), (0, 2), (2, 3), ("3/2", 3), (0, "3/4"), (0, "2/3"), (0, 1), ("1/2", 1), *EXCEPTIONS
@@ -253,32 +262,34 @@ def _not_one(low: sympy.Rational, high: sympy.Rational) -> bool:
     id="lancaster2020:fn22", kind=Kind.IDENTITY, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
     shortfall=Shortfall.CONDITION,
     title="The integral of (20) for any two exponents (footnote 22)",
-    latex=r"\int\frac{dx}{cx^{\alpha} + c'x^{\alpha'}} = \frac{x^{1-\alpha'}\,{}_2F_1\left(1,"
-    r"\frac{\alpha'-1}{\alpha'-\alpha};\frac{1+\alpha-2\alpha'}{\alpha-\alpha'};-\frac{c}{c'}x^{\alpha-\alpha'}\right)}"
-    r"{c'(1-\alpha')}",
-    corrected_latex=r"\text{the same, for } \frac{\alpha'-1}{\alpha'-\alpha} \neq 0, -1, -2, \ldots",
-    printed=_all_pairs, corrected=_regular, near_miss=_not_one, derivation="two-laws-time", line=10,
+    latex=FOOTNOTE_22,
+    corrected_latex=FOOTNOTE_22 + r", \quad \frac{\alpha'-1}{\alpha'-\alpha} \neq 0, -1, -2, \ldots",
+    printed=(ANTIDERIVATIVE, _all_pairs), corrected=(ANTIDERIVATIVE, _regular),
+    near_miss=(ANTIDERIVATIVE, _not_one), derivation="two-laws-time", line=10,
     conditions="(alpha'-1)/(alpha'-alpha) not 0, -1, -2, ...: not alpha' = 1 - n(alpha'-alpha), n = 0, 1, 2, ...",
     methods=("differentiated, with the differential equation z F' + a F = a/(1-z)", "parameters at test pairs"),
     note=f"The exceptional exponents are not excluded: alpha' = 1, whatever alpha (division by zero), and {_LISTED},"
     " ..., where the lower parameter is 0, -1, ... There the companion form with the two terms exchanged,"
     " x^(1-alpha)/(c(1-alpha)) 2F1(1, (1-alpha)/(alpha'-alpha); ...; -(c'/c) x^(alpha'-alpha)), is regular: friction"
-    " with viscous drag, (0, 1), is such a case. For alpha' > 1 nothing is wrong. Form: for which pairs it is claimed.",
+    " with viscous drag, (0, 1), is such a case. For alpha' > 1 nothing is wrong. Form: the right side, and for which"
+    " pairs it is claimed.",
 )
-def hypergeometric(form: Claim) -> Outcome:
+def hypergeometric(form: tuple[sympy.Expr, Claim]) -> Outcome:
     """The derivative, for F = 2F1(1, a; a+1; z); and parameters and factor finite for just the pairs claimed."""
     pairs = [tuple(map(sympy.Rational, pair)) for pair in sampled(EXPONENT_PAIRS)]
-    factor, a, lower, argument = antiderivative(X)
+    right, claim = form
+    (function,) = right.atoms(HYPERGEOMETRIC)
+    (one, a, lower, argument), factor = function.args, right / function
     F, z = sympy.symbols("F z", positive=True)
     slope = a / (1 - z) - a * F  # z F'
     derivative = sympy.diff(factor, X) * F + factor * slope * sympy.diff(argument, X) / argument
     residual = derivative.subs(z, argument) - 1 / (c * X**alpha + d * X**beta)
     bottoms = [lower.subs({alpha: low, beta: high}) for low, high in pairs]
     usable = [high != 1 and not (z.is_integer and z <= 0) for (_, high), z in zip(pairs, bottoms)]
-    claimed = [form(*pair) for pair in pairs]
+    claimed = [claim(*pair) for pair in pairs]
     listed = not any(usable[-len(EXCEPTIONS) :])  # what the note lists is exceptional indeed
     regular = vanishes(sympy.simplify(lower - a - 1))
-    return all_confirmed(zero(residual), regular, decided(listed and claimed == usable))
+    return all_confirmed(zero(residual), regular, same(one, ONE), decided(listed and claimed == usable))
 
 
 @statement(

@@ -276,12 +276,13 @@ def assumed_form(form: tuple[sympy.Expr, str]) -> Outcome:
 
 @statement(
     id="lelas2024:10", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="lelas-viscous", line=1,
     title="The velocity of the first pair",
     latex=r"v_1(t) = -\omega_0\left(x_0f(t)\sin(\omega_0t) + x_0\frac{\dot f(t)}{\omega_0}\cos(\omega_0t)\right)",
     corrected_latex=r"v_1(t) = -\omega_0\left(x_0f(t)\sin(\omega_0t) - x_0\frac{\dot f(t)}{\omega_0}\cos(\omega_0t)"
     r"\right)",
     printed=(X1, -w0 * (x0 * f * sin + x0 * slope / w0 * cos)),
-    corrected=(X1, -w0 * (x0 * f * sin - x0 * slope / w0 * cos)), derivation="lelas-viscous",
+    corrected=(X1, -w0 * (x0 * f * sin - x0 * slope / w0 * cos)),
     near_miss=(X1, w0 * (x0 * f * sin - x0 * slope / w0 * cos)), conditions="none", methods=("(8) differentiated",),
     note="The derivative of (8) is -omega_0 x_0 f sin + x_0 f' cos: inside the bracket the second sign is -. A slip of"
     " the paper (nothing in the text garbles a sign elsewhere), without effect, since the term is dropped in (12).",
@@ -300,6 +301,7 @@ def velocity(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.slope-small", kind=Kind.CLAIM, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
+    derivation="lelas-viscous", line=2,
     title="The small quantity that lets the second terms of (10) and (11) be dropped",
     latex=r"|f(t)|/\omega_0 \ll 1", corrected_latex=r"|\dot f(t)|/\omega_0 \ll 1", printed=f / w0,
     corrected=-slope / w0, near_miss=-slope, conditions="none", methods=("coefficients of (11)",),
@@ -313,6 +315,7 @@ def slope_small(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.dropping-the-slope", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-friction-stop", line=2,
     shortfall=Shortfall.CONSEQUENCE,
     title="|f'| << omega_0 is enough to drop f' from the velocities",
     latex=r"|\dot f(t)| \ll \omega_0 \text{ for all } t \text{, thus } v_1(t) = -\omega_0x_0f(t)\sin(\omega_0t)",
@@ -362,6 +365,7 @@ def initial_amplitude(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.amplitude-not-negative", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-friction-stop", line=4,
     shortfall=Shortfall.CONSEQUENCE,
     title="f(0) = 1 and f decreasing imply f >= 0 for all t",
     latex=r"f(t) \ge 0 \text{ must also hold, for all } t \ge 0",

@@ -87,13 +87,13 @@ def viscous_rate(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.two-rates-contradict", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-viscous", line=13,
     shortfall=Shortfall.CONDITION,
     title="One function f obeys both (18) and (19)", printed=sympy.Integer(0), corrected=sympy.pi / 2,
     near_miss=sympy.pi / 3,
     latex=r"\frac{df}{dt} = -\frac{b}{m}f\sin^2(\omega_0t) \text{ and } \frac{df}{dt} = -\frac{b}{m}f\cos^2(\omega_0t)",
     corrected_latex=r"\left\langle\sin^2\right\rangle = \left\langle\cos^2\right\rangle = \frac{1}{2}",
     conditions="in the mean over a quarter period or a multiple of it", methods=("values and quarter-period means",),
-    derivation="lelas-viscous",
     note="Taken together the two say sin^2 = cos^2, false except at isolated instants: each is wrong by as much as the"
     " rate itself, since the f' dropped from the velocities is of the order kept in (15). The sum is right because the"
     " means agree, so the trick is an average after all. Form: the phase over which the mean is taken from a"
@@ -209,6 +209,7 @@ def procedure_works(form: tuple[sympy.Expr, ...]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.equal-amplitudes", premises=(3, 4),
+    derivation="lelas-powers", line=15,
     kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED, shortfall=Shortfall.CONSEQUENCE,
     title="For friction and air the trick also needs equal amplitudes", conditions="n = 0, 2",
     latex=r"n = 0, 2: \text{ our procedure works only if } A_0 = B_0 \text{ and } \beta_0 - \phi_0 = \pm\pi/2",

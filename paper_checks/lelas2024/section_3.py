@@ -166,11 +166,12 @@ def constant_rate(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.integrated-rate", kind=Kind.CLAIM, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
+    derivation="lelas-friction", line=8,
     title="The solution of (31) up to a constant",
     latex=r"f(t) = -\frac{\mu g}{\sqrt{2}}\frac{\mu g}{2\omega_0x_0}t + const.",
     corrected_latex=r"f(t) = -\frac{\mu g}{\sqrt{2}\,\omega_0x_0}t + const.",
     printed=-mu * g / root2 * mu * g / (2 * w0 * x0) * t, corrected=-STRENGTH / root2 * t,
-    near_miss=-STRENGTH / 2 * t, conditions="none", methods=("differentiated",), derivation="lelas-friction",
+    near_miss=-STRENGTH / 2 * t, conditions="none", methods=("differentiated",),
     note="A fraction with a root was read twice; the same garble stands in |f'| before (33).",
 )
 def integrated_rate(form: sympy.Expr) -> Outcome:
@@ -193,10 +194,11 @@ def linear_decay(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.slope-of-line", kind=Kind.CLAIM, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
+    derivation="lelas-friction", line=8,
     title="The slope of (32), for all t", latex=r"|\dot f(t)| = \frac{\mu g}{\sqrt{2}}\frac{\mu g}{2\omega_0x_0}",
     corrected_latex=r"|\dot f(t)| = \frac{\mu g}{\sqrt{2}\,\omega_0x_0}",
     printed=-mu * g / root2 * mu * g / (2 * w0 * x0) * t, corrected=-STRENGTH / root2 * t,
-    near_miss=-STRENGTH / 2 * t, conditions="none", methods=("(32) differentiated",), derivation="lelas-friction",
+    near_miss=-STRENGTH / 2 * t, conditions="none", methods=("(32) differentiated",),
     note="As in the solution of (31), a fraction was read twice. Form: minus the slope, times t.",
 )
 def slope_of_line(form: sympy.Expr) -> Outcome:
@@ -206,6 +208,7 @@ def slope_of_line(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.same-decay-friction", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-friction-exact", line=17,
     paraphrase=True,
     shortfall=Shortfall.CONDITION,
     title="The same f for both pairs, with friction", order="2",
@@ -230,10 +233,11 @@ def same_decay_friction(coefficient: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.stop-time-section-3", kind=Kind.CLAIM, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
+    derivation="lelas-friction", line=10,
     title="The instant at which the approximation stops", latex=r"\tau = \sqrt{2\omega_0x_0/(\mu g)}",
     corrected_latex=r"\tau = \sqrt{2}\,\omega_0x_0/(\mu g)", printed=sympy.sqrt(2 * w0 * x0 / (mu * g)), corrected=TAU,
     near_miss=2 * w0 * x0 / (mu * g),
-    conditions="none", methods=("zero of (32)",), derivation="lelas-friction", note=GARBLED,
+    conditions="none", methods=("zero of (32)",), note=GARBLED,
 )
 @statement(
     id="lelas2024:claim.everything-zero-at-stop", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,

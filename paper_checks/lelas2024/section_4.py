@@ -81,6 +81,7 @@ def air_rate(form: tuple[str, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.both-sides-positive", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-powers", line=11,
     shortfall=Shortfall.RANGE,
     paraphrase=True, title="Both sides of (38) and (39) are positive for any t", printed=(0, 1, 2, 3), corrected=(1, 3),
     near_miss=(1, 2, 3), latex=r"\frac{C\omega_0x_0}{m}f^2(t)|\sin(\omega_0t)|^3 > 0 \text{ for any } t",

@@ -74,6 +74,7 @@ def with_numbers(form: sympy.Expr, friction: Fraction) -> arb:
 
 @statement(
     id="lelas2024:claim.force-of-47", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.MEASURED,
+    derivation="lelas-friction", line=8,
     extent="read off the text",
     title="The force to which (47) belongs", printed=2, corrected=3, near_miss=5,
     latex=r"\text{our approximate solution of equation (1), with damping force (2), is (47)}",
@@ -143,7 +144,7 @@ def exact_motion(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.range-of-49", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
-    derivation="lelas-friction-exact",
+    derivation="lelas-friction-exact", line=8,
     shortfall=Shortfall.RANGE,
     title="The range of n in (49)", latex=r"n \ge 1 \text{ is an integer}", printed=sympy.oo, corrected=COUNT,
     near_miss=sympy.floor((1 / eps - 1) / 2),
@@ -169,7 +170,7 @@ ONE_LINE = (1 - (2 * SWING - 1) * eps) * sympy.cos(sympy.Min(tau, COUNT * sympy.
 
 @statement(
     id="lelas2024:claim.no-closed-form", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.MEASURED,
-    derivation="lelas-friction-exact",
+    derivation="lelas-friction-exact", line=9,
     shortfall=Shortfall.CONDITION,
     extent="sampled: 54 points",
     title="The exact motion cannot be put into a closed form valid for all times", printed=None, corrected=ONE_LINE,
@@ -227,9 +228,10 @@ def friction_figure(form: tuple[tuple[int, int], ...]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.stop-time-section-5", premises=(1,),
+    derivation="lelas-friction", line=10,
     kind=Kind.CLAIM, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
     title="The instant at which (47) stops", latex=r"\tau = \sqrt{2\omega_0x_0/(\mu g)}",
-    corrected_latex=r"\tau = \sqrt{2}\,\omega_0x_0/(\mu g)", derivation="lelas-friction",
+    corrected_latex=r"\tau = \sqrt{2}\,\omega_0x_0/(\mu g)",
     printed=(sympy.sqrt(2 * w0 * x0 / (mu * g)), FRICTION_LINE), corrected=(TAU, FRICTION_LINE),
     near_miss=(TAU / 2, FRICTION_LINE), conditions="none", methods=("zero of the amplitude of (47)",),
     note=GARBLED + " Here the text breaks the line between the root sign and 2 omega_0 x_0/(mu g).",
@@ -262,6 +264,7 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 )
 @statement(
     id="lelas2024:value.tau-tilde-a", premises=(1, 2),
+    derivation="lelas-friction-stop", line=8,
     kind=Kind.NUMBER, verdict=Printed.MISPRINT, evidence=Evidence.CERTIFIED, digits=4,
     title="tau-tilde for mu = 0.01", latex=r"\tilde{\tau} = 14.33\,\mathrm{s}",
     corrected_latex=r"\tilde{\tau} = 14.32\,\mathrm{s}", printed=("14.33", TAU_TILDE, PANELS[0]),
@@ -272,6 +275,7 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 )
 @statement(
     id="lelas2024:value.tau-tilde-b", premises=(1, 2),
+    derivation="lelas-friction-stop", line=8,
     kind=Kind.NUMBER, verdict=Printed.MISPRINT, evidence=Evidence.CERTIFIED, digits=3,
     title="tau-tilde for mu = 0.03", latex=r"\tilde{\tau} = 4.78\,\mathrm{s}",
     corrected_latex=r"\tilde{\tau} = 4.77\,\mathrm{s}", printed=("4.78", TAU_TILDE, PANELS[1]),
@@ -288,7 +292,7 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 )
 @statement(
     id="lelas2024:value.tau-exact-b", premises=(1, 2),
-    derivation="lelas-friction-exact",
+    derivation="lelas-friction-stop", line=10,
     kind=Kind.NUMBER, verdict=Printed.MISPRINT, evidence=Evidence.CERTIFIED, digits=3,
     title="The exact stop time for mu = 0.03", latex=r"\tau_{ex} = 4.93\,\mathrm{s}",
     corrected_latex=r"\tau_{ex} = 4.92\,\mathrm{s}", printed=("4.93", 7 * sympy.pi / w0, PANELS[1]),
@@ -344,12 +348,13 @@ def better_approximation(factor: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.describes-well", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.MEASURED, order="0",
+    derivation="lelas-friction-stop", line=6,
     shortfall=Shortfall.CONSEQUENCE,
     extent="sampled: 2 points",
     title="(47) describes the dynamics very well if (50) is valid", printed=1, corrected=0, near_miss=2,
     latex=r"\text{our solution also describes very well the dynamics of the systems if condition (50) is valid}",
     corrected_latex=r"\lim_{\mu \to 0}\max_{t \le \tau}\frac{|x - x_{ex}|}{x_0} = 1 - \frac{2\sqrt{2}}{\pi} = 0.0997",
-    conditions="within a tenth of x_0 and of the duration, however small mu is", derivation="lelas-friction",
+    conditions="within a tenth of x_0 and of the duration, however small mu is",
     methods=("largest error near half amplitude, two values of mu",),
     note="The linear decay is right, its rate is 11 % too fast, and a smaller mu does not help, as the condition"
     " suggests. Form: the order of the error in mu.",

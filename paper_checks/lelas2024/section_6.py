@@ -74,12 +74,13 @@ FIRST_INTEGRAL = sympy.exp(-2 * C * x / m) * (v**2 / 2 - w0**2 * m * x / (2 * C)
 
 @statement(
     id="lelas2024:claim.not-analytically-solvable", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="smith-integrating-factor", line=9,
     shortfall=Shortfall.CONDITION,
     title="With air resistance (1) cannot be solved analytically", printed=None, corrected=FIRST_INTEGRAL,
     latex=r"\text{Equation of motion (1) with damping force (5) ... cannot be solved analytically}",
     corrected_latex=r"e^{-2Cx/m}\left(\frac{v^2}{2} - \frac{\omega_0^2m}{2C}x - \frac{\omega_0^2m^2}{4C^2}\right) ="
     r" \mathrm{const.}",
-    near_miss=FIRST_INTEGRAL.subs(C, -C), derivation="smith-turning-points",
+    near_miss=FIRST_INTEGRAL.subs(C, -C),
     conditions="true of an elementary x(t); shown for v < 0, the other half-swing by x -> -x",
     methods=("derivative along the motion",),
     note="The paper cites Smith 2012, who solves it half-swing by half-swing: an elementary v(x), turning points in"
@@ -200,6 +201,7 @@ def agrees_well(ratio: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.integral-of-sin-cubed", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="lelas-powers", line=12,
     title="The integral that averaging needs", latex=r"\int_0^{T_0}\sin^3(\omega_0t)dt",
     corrected_latex=r"\int_0^{T_0}|\sin(\omega_0t)|^3dt", printed=(1, 1), corrected=(1, -1), near_miss=(2, 1),
     conditions="none", methods=("integral over both halves of the period",),
@@ -216,6 +218,7 @@ def integral_of_sin_cubed(weights: tuple[int, int]) -> Outcome:
 
 @statement(
     id="lelas2024:claim.slight-decrease", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
+    derivation="lancaster-conditions", line=4,
     shortfall=Shortfall.RANGE,
     title="In the weak regime the amplitude decreases only slightly during one period",
     latex=r"\text{it decrease only slightly during one full oscillation (one period) of the system}",

@@ -39,6 +39,7 @@ AVERAGED_HYPERBOLA = AVERAGED_IN_AIR / (x0 * sympy.cos(w0 * t))
 
 @statement(
     id="lelas2024:claim.force-powers", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-powers", line=2,
     shortfall=Shortfall.RANGE,
     title="The three forces as powers of the velocity", latex=r"F_d(t) \propto v^n(t), \quad n = \{0, 1, 2\}",
     corrected_latex=r"F_d(t) \propto -\mathrm{sgn}[v(t)]|v(t)|^n", printed=-(v**n),
@@ -79,6 +80,7 @@ def general_forms(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="lelas2024:54", kind=Kind.IDENTITY, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-powers", line=8,
     shortfall=Shortfall.RANGE,
     title="The rate of f for the three laws at once",
     latex=r"m\omega_0^2A_0^2f(t)\frac{df(t)}{dt} \propto \omega_0^{n+1}A_0^{n+1}f^{n+1}(t)"
@@ -138,6 +140,7 @@ def without_sign(power: int) -> sympy.Expr:
 
 @statement(
     id="lelas2024:claim.force-without-sign", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="lelas-powers", line=6,
     shortfall=Shortfall.CONDITION,
     title="The forces without the sign function", latex=r"F_d(t) \propto -v^{n+1}(t)/|v(t)|, \quad n = \{0, 2\}",
     corrected_latex=r"F_d(t) \propto -v^{n+1}(t)/|v(t)| \text{ if } v(t) \ne 0", printed=(1, 0, -1), corrected=(1, -1),

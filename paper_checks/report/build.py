@@ -22,7 +22,13 @@ from paper_checks.data import source
 from paper_checks.mathml import to_mathml, whole
 from paper_checks.registry import FOLLOW_UPS, IDENTIFIERS, PAPERS, Entry, Shortfall
 from paper_checks.report import pages
-from paper_checks.report.certificates import certificate_files, certificates_of
+from paper_checks.report.certificates import (
+    CHECKER_LINES,
+    certificate_files,
+    certificate_of_table,
+    certificates_of,
+    listed,
+)
 from paper_checks.report.difference import marked
 from paper_checks.report.engine import engine_data, regimes_picture, stokes_picture, validity_picture
 from paper_checks.report.font import font_face
@@ -85,7 +91,17 @@ def _contents(entries: list[Entry], progress: Progress) -> dict[str, bytes | str
 
 def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
     """The site: an index, a page for each paper, the errata, the derivations, what goes beyond, and the sources."""
-    papers = [{**p, "entries": [{**e, **_shown(entries[e["id"]])} for e in p["entries"]]} for p in data["papers"]]
+    papers = [
+        {
+            **p,
+            "entries": [{**e, **_shown(entries[e["id"]])} for e in p["entries"]],
+            "tables": [
+                {**t, "certificate": certificate_of_table(t["table"]), "checker_lines": CHECKER_LINES}
+                for t in p["tables"]
+            ],
+        }
+        for p in data["papers"]
+    ]
     cards = [e for p in papers for e in p["entries"]]
     shown = {**data, "papers": papers, "errata": [_slips(cards, *kind) for kind in ERRATA]}
     name, title = HARMLESS
@@ -93,6 +109,7 @@ def _pages(data: dict[str, Any], entries: dict[str, Entry]) -> dict[str, str]:
     shown["measured"] = MEASURED.exists()
     shown["pdf"] = which(ENGINE) is not None
     shown["legend"] = LEGEND
+    shown |= {"certificates": listed(), "checker_lines": CHECKER_LINES}
     made = {name: _template(f"{name}.j2").render(shown, derivations=pages.derivations()) for name in PAGES}
     made["play.html"] = play_page(BESIDE_PLAY)
     made |= {f"{p['key']}.html": _template("paper.html.j2").render(shown, paper=p) for p in papers}
@@ -119,7 +136,13 @@ def _shown(entry: Entry) -> dict[str, Any]:
         "source_page": pages.source_name(path.partition(":")[0]) + "#L" + path.partition(":")[2],
         "section": pages.section_of(s),
         "certificates": certificates_of(s.id),
+        "checker_lines": CHECKER_LINES,
     }
+
+
+def _proved(table: str) -> dict[str, Any]:
+    """What a table shows beyond the data: the certificate of its turning points and times."""
+    return {"certificate": certificate_of_table(table), "checker_lines": CHECKER_LINES}
 
 
 def _slips(cards: list[dict[str, Any]], name: str, title: str, field: str, values: tuple[str, ...]) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from asymptotics.papers.search import Searched, plain
 from asymptotics.papers.statement import PaperStatement
 from paper_checks.data import record
 from paper_checks.registry import Entry
+from paper_checks.report.words import typeset
 
 
 def search_index(papers: list[dict[str, Any]], entries: dict[str, Entry]) -> str:
@@ -15,7 +16,9 @@ def search_index(papers: list[dict[str, Any]], entries: dict[str, Entry]) -> str
     found = [_table(paper["key"], table) for paper in papers for table in paper["tables"]]
     found += [_statement(card, record(entries[card["id"]].statement)) for paper in papers for card in paper["entries"]]
     for s, d in zip(derived.searched(), derived.derivations()):
-        found.append(_words(s) | {"shown": d.name, "title": d.title, "page": "derivations.html", "anchor": d.name})
+        found.append(
+            _words(s) | {"shown": d.name, "title": typeset(d.title), "page": "derivations.html", "anchor": d.name}
+        )
     for s in documented.searched():
         section = documented.sections()[s.id]
         title = section.heading or section.title
@@ -30,10 +33,10 @@ def _words(s: Searched) -> dict[str, str]:
 def _statement(card: dict[str, Any], data: dict[str, Any]) -> dict[str, str]:
     searched = Searched.of(PaperStatement(**{**data, "methods": tuple(data["methods"])}))
     page = card["id"].partition(":")[0] + ".html"
-    return _words(searched) | {"title": card["title"], "page": page, "verdict": card["printed"]}
+    return _words(searched) | {"title": typeset(card["title"]), "page": page, "verdict": card["printed"]}
 
 
 def _table(key: str, table: dict[str, Any]) -> dict[str, str]:
     name = table["table"].partition(".")[2]
     searched = Searched(f"{key}:{name}", plain(table["title"]), "table", "", "")
-    return _words(searched) | {"title": table["title"], "page": f"{key}.html", "anchor": table["table"]}
+    return _words(searched) | {"title": typeset(table["title"]), "page": f"{key}.html", "anchor": table["table"]}

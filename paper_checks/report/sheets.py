@@ -72,6 +72,7 @@ def comment(key: str) -> dict[str, Any]:
         "column": lambda i: generating_function(i).to_dict()["latex"].replace(r"\operatorname{atan}", r"\arctan"),
         "second": fraction(build(f"{key}.transit-time", 12).rows[2][1]),
         "astray": f"{astray():.3f}",
+        "second_turn": rows[2][2],
         "table": tabular(["n", r"\hat{S}_{n-1}", "u_{n-1}"], rows),
     }
 

@@ -100,6 +100,7 @@ def number_of_constants(form: tuple[int, int]) -> Outcome:
 
 @statement(
     id="smith2012:claim.inversion", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="smith-harmonic", line=4,
     shortfall=Shortfall.CONDITION,
     title="Independent constants can be inverted to give the motion", printed=1, corrected=2, near_miss=4,
     latex=r"\text{once } n \text{ independent solutions } S_i(q^i; t) \text{ have been found, they may be inverted}",
@@ -267,6 +268,7 @@ def pfaffian(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="smith2012:claim.integrating-factor-exists", kind=Kind.CLAIM, verdict=Printed.PARTLY,
+    derivation="smith-viscous", line=11,
     shortfall=Shortfall.CONDITION,
     evidence=Evidence.PROVED, title="Every Pfaffian form in two variables has an integrating factor",
     latex=r"\text{All two-variable Pfaffian forms can be transformed into total integrals by the use of an integrating"

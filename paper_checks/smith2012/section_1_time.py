@@ -133,6 +133,7 @@ def series_in_inverse_velocity(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:claim.hat-T", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="smith-harmonic", line=9,
     shortfall=Shortfall.CONDITION,
     paraphrase=True,
     title="The series (21) is the function that completes (22)", printed=sympy.Integer(1), corrected=omega,

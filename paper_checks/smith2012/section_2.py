@@ -138,6 +138,7 @@ def second_constant_again(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:31", kind=Kind.IDENTITY, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
+    derivation="smith-harmonic", line=12,
     shortfall=Shortfall.RANGE,
     title="The identity that joins the two constants", printed=(-1, -1), corrected=(-1, 1), near_miss=(1, -1),
     latex=r"\tan^{-1}z = -\frac{\pi}{2} - \tan^{-1}\left(\frac{1}{z}\right)",
@@ -206,7 +207,7 @@ SPIRAL_CLOCK = omega * t - atan(omega * x / P)
 )
 @statement(
     id="smith2012:34", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
-    derivation="smith-viscous",
+    derivation="smith-viscous", line=2,
     title="The damped frequency", latex=r"\omega = \sqrt{\omega_0^2 + \gamma^2}",
     corrected_latex=r"\omega = \sqrt{\omega_0^2 - \gamma^2}", printed=(SPIRAL_CLOCK, omega0**2 + gamma**2),
     corrected=(SPIRAL_CLOCK, DAMPED), near_miss=(SPIRAL_CLOCK, omega0**2 - gamma**2 / 4),

@@ -163,11 +163,11 @@ def factor_equation(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="smith2012:claim.integrating-factors", kind=Kind.CLAIM, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-integrating-factor", line=5,
     title="The simplest integrating factors",
     latex=r"\mu = e^{\pm 2\gamma x}", corrected_latex=r"\mu = e^{\mp 2\gamma x}",
     printed=FACTORS[::-1], corrected=FACTORS, near_miss=(exp(-gamma * x), exp(gamma * x)),
     conditions="upper sign: v < 0, as in (37)", methods=("substitution in (37)",),
-    derivation="smith-integrating-factor",
     note=SIGN_NOTE + " As an unordered pair of factors the printed statement is right.",
 )
 def integrating_factors(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
@@ -203,6 +203,7 @@ def physical_constants(order: int) -> tuple[sympy.Expr, ...]:
 
 @statement(
     id="smith2012:38b", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-integrating-factor", line=7,
     title="The first constants of the motion",
     latex=r"S^{\mp} = e^{\pm 2\gamma x}\left[\frac{v^2}{2} \mp \frac{\omega^2}{2\gamma}\left(x \pm \frac{1}{2\gamma}"
     r"\right)\right]",
@@ -211,7 +212,7 @@ def physical_constants(order: int) -> tuple[sympy.Expr, ...]:
     printed=physical_constants(1), corrected=physical_constants(-1),
     near_miss=tuple(exp(-s * 2 * gamma * x) * (v**2 / 2 - s * omega**2 / (2 * gamma) * (x - s / (2 * gamma)))
                     for s in (1, -1)),
-    conditions="upper signs: v < 0", methods=("gradient compared with (38a)",), derivation="smith-integrating-factor",
+    conditions="upper signs: v < 0", methods=("gradient compared with (38a)",),
     note=SIGN_NOTE,
 )
 def first_constants(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
@@ -262,6 +263,7 @@ def dimensionless_displacement(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:40", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-integrating-factor", line=11,
     title="The first constants in dimensionless form",
     latex=r"\hat{S}^{\mp} = \frac{\gamma^2}{\omega^2}S^{\mp} = e^{\pm 2u}\left(\frac{w^2}{2} \mp \frac{u}{2} -"
     r" \frac{1}{4}\right)",
@@ -271,7 +273,7 @@ def dimensionless_displacement(form: sympy.Expr) -> Outcome:
     corrected=tuple(exp(-s * 2 * u) * (w**2 / 2 - s * u / 2 - QUARTER) for s in (1, -1)),
     near_miss=tuple(exp(-s * 2 * u) * (w**2 / 2 - s * u / 2 - HALF) for s in (1, -1)),
     conditions="upper signs: v < 0", methods=("(38b) rescaled", "constant along the motion"),
-    derivation="smith-integrating-factor", note=SIGN_NOTE + " (50) prints the right exponents.",
+    note=SIGN_NOTE + " (50) prints the right exponents.",
 )
 def dimensionless_constants(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """gamma^2/omega^2 times (38b) with the exponents of (38a), and constant along the dimensionless motion."""

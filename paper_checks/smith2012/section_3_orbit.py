@@ -93,7 +93,7 @@ g0, p_root, r_root = sympy.symbols("g_0 p r", positive=True)
 
 @statement(
     id="smith2012:claim.iterations", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
-    derivation="smith-turning-points",
+    derivation="smith-turning-points", line=22,
     shortfall=Shortfall.CONDITION, title="The turning point is found by iteratively solving (43), and later (51)",
     latex=r"\text{The turning point at the end of this half-cycle is found by iteratively solving (43)}",
     corrected_latex=r"u \mapsto \frac{e^{-2u_0}(2u_0+1)e^{2u} - 1}{2} \text{ converges; } u \mapsto u_0 -"
@@ -226,7 +226,7 @@ def discontinuity(patched: int) -> Outcome:
 
 @statement(
     id="smith2012:48", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
-    derivation="smith-matching",
+    derivation="smith-matching", line=5,
     title="The value of S^+ after the first turning point",
     latex=r"\hat{S}^{+} = -e^{2u_1}\left(\frac{u_1}{2} - \frac{1}{4}\right)",
     corrected_latex=r"\hat{S}^{+} = e^{2u_1}\left(\frac{u_1}{2} - \frac{1}{4}\right)",
@@ -242,7 +242,7 @@ def constant_after_turning(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:49", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
-    derivation="smith-matching",
+    derivation="smith-matching", line=6,
     title="The first integration constant",
     latex=r"\hat{S}_1 = -e^{2u_1}\left(\frac{u_1}{2} - \frac{1}{4}\right) - e^{-2u_0}\left(\frac{u_0}{2}"
     r" - \frac{1}{4}\right)",
@@ -292,10 +292,11 @@ def constant_over_cycle(form: tuple[sympy.Expr, sympy.Expr, sympy.Expr]) -> Outc
 
 @statement(
     id="smith2012:51", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-matching", line=8,
     title="The equation of the second turning point", latex=r"\hat{S} - \hat{S}_1 = e^{2u_2}[2u_2 - 1]",
     corrected_latex=r"\hat{S} - \hat{S}_1 = \frac{1}{4}e^{2u_2}[2u_2 - 1]", printed=exp(2 * u2) * (2 * u2 - 1),
     corrected=exp(2 * u2) * (2 * u2 - 1) / 4, near_miss=exp(2 * u2) * (2 * u2 + 1) / 4,
-    conditions="none", methods=("w = 0 in (50)",), note=FACTOR_NOTE, derivation="smith-turning-points",
+    conditions="none", methods=("w = 0 in (50)",), note=FACTOR_NOTE,
 )
 def second_turning_point(form: sympy.Expr) -> Outcome:
     """S - S_1 is S^+, taken at (u_2, 0)."""
@@ -304,7 +305,7 @@ def second_turning_point(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:claim.second-cycle", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
-    derivation="smith-matching",
+    derivation="smith-matching", line=7,
     shortfall=Shortfall.CONDITION,
     paraphrase=True, title="u_2 fed back into (42) determines S for the second cycle",
     latex=r"\hat{S} = -e^{-2u_2}\left(\frac{u_2}{2} + \frac{1}{4}\right) \text{ for the second cycle}",

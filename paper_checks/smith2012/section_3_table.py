@@ -54,6 +54,7 @@ def members(prefactor: sympy.Expr, left: sympy.Expr, right: sympy.Expr, sign: in
 
 @statement(
     id="smith2012:52a", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-matching", line=7,
     title="The turning points of the falling half-cycles",
     latex=r"\hat{S} - \hat{S}_{2n} = e^{-2u_{2n+1}}(2u_{2n+1}+1) = e^{-2n_{2n}}(2n_{2n}+1)",
     corrected_latex=r"\hat{S} - \hat{S}_{2n} = -\frac{1}{4}e^{-2u_{2n+1}}(2u_{2n+1}+1)"
@@ -61,7 +62,6 @@ def members(prefactor: sympy.Expr, left: sympy.Expr, right: sympy.Expr, sign: in
     variables="u_1 stands for u_{2n+1}, u_0 for u_{2n}", printed=members(sympy.Integer(1), u1, u0, 1),
     corrected=members(-QUARTER, u1, u0, 1), near_miss=members(QUARTER, u1, u0, 1),
     conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + garbled("e^{-2n_{2n}}"),
-    derivation="smith-turning-points",
 )
 def falling_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """Both members are S^- at their turning points."""
@@ -70,6 +70,7 @@ def falling_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 @statement(
     id="smith2012:52b", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
+    derivation="smith-matching", line=8,
     title="The turning points of the rising half-cycles",
     latex=r"\hat{S} - \hat{S}_{2n+1} = e^{2u_{2n+2}}(2u_{2n+2}-1) = e^{2n_{2n+1}}(2n_{2n+1}-1)",
     corrected_latex=r"\hat{S} - \hat{S}_{2n+1} = \frac{1}{4}e^{2u_{2n+2}}(2u_{2n+2}-1)"
@@ -77,7 +78,6 @@ def falling_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     variables="u_2 stands for u_{2n+2}, u_1 for u_{2n+1}", printed=members(sympy.Integer(1), u2, u1, -1),
     corrected=members(QUARTER, u2, u1, -1), near_miss=members(-QUARTER, u2, u1, -1),
     conditions="none", methods=("w = 0 in (52c)",), note=FACTOR_NOTE + garbled("e^{2n_{2n+1}}"),
-    derivation="smith-turning-points",
 )
 def rising_turning_points(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     """Both members are S^+ at their turning points."""
@@ -175,7 +175,9 @@ def _add_table() -> None:
             title="Table I: " + ("the caption's constant" if column == "S" else f"half-cycle {index + 1}, {key}"),
             latex=f"{name} = {printed}", corrected_latex=None if corrected is None else f"{name} = {corrected}",
             printed=printed, corrected=corrected, near_miss=near_miss, note=note,
-            conditions="u_0 = 1; correct rounding of all printed digits", derivation="smith-turning-points",
+            conditions="u_0 = 1; correct rounding of all printed digits",
+            derivation="smith-turning-points" if corrected is None else "smith-matching",
+            line=None if corrected is None else 12,
             digits=len((corrected or printed).lstrip("-0.").replace(".", "")),
             methods=("balls at 300 bits through Lambert W",), check=_decimal_check(column, index),
         ))

@@ -209,7 +209,7 @@ def frequency(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:71", kind=Kind.IDENTITY, verdict=Printed.PARTLY, evidence=Evidence.CERTIFIED,
-    derivation="smith-quadrature",
+    derivation="smith-quadrature", line=11,
     shortfall=Shortfall.CONDITION,
     title="The half-cycles mated at the turning points",
     latex=r"x_n(0) = x_{n-1}(\pi/\omega) = x([n-1]\pi/\omega)",
@@ -257,7 +257,7 @@ ARGUMENT_LATEX = (
 
 @statement(
     id="smith2012:72", kind=Kind.APPROXIMATION, verdict=Printed.MISPRINT, evidence=Evidence.PROVED, order="2",
-    derivation="smith-quadrature",
+    derivation="smith-quadrature", line=13,
     title="The curve of Fig. 5: v_n(x) inserted in (69)",
     latex=r"0 = \omega t_n - \tan^{-1}\left(" + ARGUMENT_LATEX + r"\right) - \frac{2}{3}\left(" + LAST_LATEX % 3
     + r"\right), \quad \frac{n\tau}{2} < t_n \le \frac{(n+1)\tau}{2}",

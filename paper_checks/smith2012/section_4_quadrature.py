@@ -57,7 +57,7 @@ def velocity_squared(energy: sympy.Expr = E) -> sympy.Expr:
 
 @statement(
     id="smith2012:54", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
-    derivation="smith-quadrature",
+    derivation="smith-quadrature", line=4,
     title="The quadrature",
     latex=r"\int dt = \int \frac{dx}{\sqrt{2e^{2\gamma x}E_n + \frac{\omega^2}{2\gamma}\left(x +"
     r" \frac{1}{2\gamma}\right)}}",
@@ -80,7 +80,7 @@ def quadrature(form: sympy.Expr) -> Outcome:
     latex=r"\text{Eq. (54) is not found in standard tables of integrals}",
     printed=1 / sqrt(RADICAND), near_miss=1 / sqrt(RADICAND.subs(E, 0)),
     conditions="E_n != 0, as between two turning points; tables of elementary integrals",
-    methods=("rescaled to the integral of the derivation, which is not elementary", "a primitive, differentiated"),
+    methods=("its integrand is that of the derivation", "SymPy's own integrator, which finds the near miss"),
     note="(54) as corrected. By Liouville's theorem no table of elementary integrals has it; what tables of special"
     " functions have is not said. Near miss: E = 0, which every table has. Form: the integrand.",
 )
@@ -96,7 +96,7 @@ def not_in_tables(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="smith2012:55", kind=Kind.IDENTITY, verdict=Printed.MISPRINT, evidence=Evidence.PROVED,
-    derivation="smith-quadrature",
+    derivation="smith-quadrature", line=4,
     title="The duration of the half-cycle",
     latex=r"\frac{\tau}{2} = \int_{x_{\min}}^{x_{\max}} \frac{dx}{\sqrt{2e^{2\gamma x}E_n + \frac{\omega^2}{2\gamma}"
     r"\left(x + \frac{1}{2\gamma}\right)}}",
@@ -164,6 +164,7 @@ BY_PARTS = "integration by parts: differentiated along the motion"
 )
 @statement(
     id="smith2012:56b", kind=Kind.IDENTITY, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
+    derivation="smith-time-series", line=5,
     title="The first integration by parts",
     latex=r"= \frac{\omega v}{\gamma v^2 - \omega^2 x} + \int_{v_0}^{v} \frac{\omega v[2\gamma v\,dv -"
     r" \omega^2\,dx]}{\gamma v(1 - \omega^2\,dx)}",
@@ -171,12 +172,12 @@ BY_PARTS = "integration by parts: differentiated along the motion"
     r"[2\gamma v\,dv - \omega^2\,dx]}{(\gamma v^2 - \omega^2 x)^2}",
     printed=(FIRST, omega * v * da / (gamma * v * (1 - omega**2 * dx))), corrected=(FIRST, omega * v * da / a**2),
     near_miss=(FIRST, -omega * v * da / a**2), conditions="as (56a)", methods=(BY_PARTS,),
-    derivation="smith-time-series",
     note="A differential in the denominator is no formula: the lines of (56b) and (56c) ran into each other in the"
     " supplied text. The denominator (gamma v^2 - omega^2 x)^2 stands, misplaced, in the next line.",
 )
 @statement(
     id="smith2012:56c", kind=Kind.IDENTITY, verdict=Printed.TRANSCRIPTION, evidence=Evidence.PROVED,
+    derivation="smith-time-series", line=26,
     title="The same with dx eliminated",
     latex=r"\gamma v^2 - \omega^2 x|_{v_0} + \int_{v_0}^{v} (\gamma v^2 - \omega^2 x)^2 + \int_{v_0}^{v}"
     r" \frac{2\gamma\omega v^2\,dv}{(\gamma v^2 - \omega^2 x)^2} - \int_{v_0}^{v} \frac{\omega^3 v^2\,dv}"
@@ -187,7 +188,7 @@ BY_PARTS = "integration by parts: differentiated along the motion"
     printed=(a, a**2 * dv + 2 * gamma * omega * v**2 * dv / a**2 - omega**3 * v**2 * dv / a**3),
     corrected=(FIRST, 2 * gamma * omega * v**2 * dv / a**2 - omega**3 * v**2 * dv / a**3),
     near_miss=(FIRST, 2 * gamma * omega * v**2 * dv / a**2 - omega**2 * v**2 * dv / a**3),
-    conditions="as (56a)", methods=(BY_PARTS,), derivation="smith-time-series",
+    conditions="as (56a)", methods=(BY_PARTS,),
     note="The two last integrals are right; what stands before them are the denominators of (56b) without their"
     " numerators, a garbled transcription.",
 )

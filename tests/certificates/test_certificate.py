@@ -196,3 +196,14 @@ def test_several_in_one_file():
     assert both.left == ("what is left",)
     with pytest.raises(LimitError, match="equations"):
         together([both] * 501)
+
+
+@pytest.mark.slow
+def test_a_thousand_half_swings_and_a_hundred_digits():
+    """The limits that the help states, within the time that a request has."""
+    long = turning_points({"3/2": "1/1000"}, 1001, digits=12, times=True)
+    assert len(long.certificate(max_seconds=60).proved) == 1002
+    fine = turning_points({"3/2": "1/10"}, 11, digits=100, times=True)
+    assert len(fine.certificate(max_seconds=60).proved) == 12
+    with pytest.raises(InputError, match="count"):
+        turning_points({"3/2": "1/1000"}, 1, start=1001, digits=3).certificate()

@@ -111,6 +111,29 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ),  # noqa: E501
     ("lelas_friction", "slope = -mu * g / (sqrt(2) *", "slope = -mu * g / (2 *"),
     ("lelas_friction", "end = sqrt(2) * omega_0", "end = sqrt(3) * omega_0"),
+    (
+        "lelas_friction_exact",
+        'second = defined("x_2", lambda tau: sin(tau) + e * cos(tau) - e)',
+        'second = defined("x_2", lambda tau: sin(tau) - e * cos(tau) - e)',
+    ),
+    ("lelas_friction_exact", "law(y - sigma * b / k)", "law(y + sigma * b / k)"),
+    ("lelas_friction_stop", "1 - mu * g * t / (sqrt(2) * omega * x_0)", "1 - mu * g * t / (2 * omega * x_0)"),
+    ("lelas_friction_stop", "last = pi * omega * x_0 / (2 * mu * g)", "last = pi * omega * x_0 / (mu * g)"),
+    ("lelas_friction_stop", "Rational(477, 100)", "Rational(478, 100)"),
+    ("lelas_powers", "-sympy.sign(V) * abs(V) ** n", "sympy.sign(V) * abs(V) ** n"),
+    ("lelas_powers", "-C * (A * omega * f * s) ** (n + 1)", "-C * (A * omega * f * s) ** n"),
+    ("lelas_powers", "size ** (-root * (n - 1))", "size ** (-root * n)"),
+    ("lancaster_conditions", "** (-1 / (alpha - 1))", "** (1 / (alpha - 1))"),
+    ("lancaster_conditions", "    M * epsilon * omega / (1 - M),", "    M * epsilon * omega / (1 + M),"),
+    ("lancaster_conditions", "moment(4) * b", "moment(3) * b"),
+    ("lancaster_conditions", "(4 * exp(-t / 2) - exp(-2 * t)) / 3", "(4 * exp(-t / 2) + exp(-2 * t)) / 3"),
+    ("smith_harmonic", "v: omega * t - atan(omega * x / v)", "v: omega * t + atan(omega * x / v)"),
+    ("smith_harmonic", "(-1) ** j * (omega * x / v) ** (2 * j)", "(omega * x / v) ** (2 * j)"),
+    ("smith_viscous", "omega * (chi + 2 * sympy.pi)", "omega * (chi + sympy.pi)"),
+    ("smith_turning_points", "(level * exp(2 * place) - 1) / 2", "(level * exp(2 * place) + 1) / 2"),
+    ("smith_time_series", "2 * w**2 / D**2 - w**2 / D**3", "2 * w**2 / D**2 + w**2 / D**3"),
+    ("smith_quadrature", "** Rational(3, 2) / (3 * below)", "** Rational(3, 2) / (2 * below)"),
+    ("two_laws_time", "d**2 / c**3 * log((c + d * x) / x)", "d / c**3 * log((c + d * x) / x)"),
     ("lelas_air", "slope = C * omega_0 * x_0 / (2 * sqrt(2) * m)", "slope = C * omega_0 * x_0 / (2 * m)"),
     ("lelas_air", "trick = squaring_moment(alpha) * epsilon", "trick = squaring_moment(alpha + 1) * epsilon"),
     ("two_laws_time", "index = (beta - 1) / gap", "index = beta / gap"),
@@ -231,6 +254,7 @@ def test_two_relations_stand_on_one_line():
         "right": None,
         "latex": r"x > 0,\quad x \neq -1",
         "proves": [],
+        "corrects": [],
     }
 
 

@@ -30,7 +30,7 @@ ELSEWHERE: Names = {
     **each(
         "equivalent.conservative_cycle",
         "ConservativeCycle.of ConservativeCycle.zeta ConservativeCycle.quality ConservativeCycle.decrement "
-        "ConservativeCycle.coefficient",
+        "ConservativeCycle.coefficient ConservativeCycle.period",
         "test_every_rung_of_an_orbit_holds_what_is_above_it",
     ),
     **each(
@@ -98,9 +98,14 @@ ELSEWHERE: Names = {
     ),
     **each("return_map.panels", "Panel.half_swing laid_out", "test_a_ladder_of_panels"),
     **each(
+        "return_map.panels",
+        "Panels.place",
+        "test_half_swings_of_a_map_contain_the_pieces_of_every_law_of_its_ray",
+    ),
+    **each(
         "return_map.coordinate",
-        "Coordinate.in_units",
-        "tests/return_map/test_panels.py::test_amplitudes_that_no_double_holds_have_panels",
+        "Coordinate.unit",
+        "tests/return_map/test_ray.py::test_the_strengths_at_the_place_of_an_amplitude_are_those_of_the_law",
     ),  # fmt: skip
     **each(
         "flow.slow_manifold.slow_curve",

@@ -61,7 +61,10 @@ NONE_NEEDED: Names = {
     **each("flow.slow_manifold.attraction", "ForceCurve.sums spread", EXACT),
     **each("flow.slow_manifold.near_equal_exponents", "Scale.t Grouped.exponent", EXACT),
     **each("flow.slow_manifold.slow_curve", "Barrier.place Barrier.clock", "abstract"),
-    **each("return_map.panels", "Panels.serving Panels.coordinate panels_of", "hands out what laid_out made"),
+    **each("return_map.panels", "Panels.half_swing", "hands out what laid_out made"),
+    **each("return_map.half_swings", "HalfSwings.half_swing", "HalfSwings.__call__, which is registered"),
+    **each("return_map.panels", "Readable.half_swing", "abstract"),
+    **each("return_map.ray", "Ray.terms", EXACT),
     **each(
         "turning.jump",
         "jumped jumped_by_flow",

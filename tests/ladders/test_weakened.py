@@ -52,6 +52,8 @@ OWN = {
     "numbers.rationals.bounds": "tests/numbers/test_rationals.py::test_bounds_enclose",
     "return_map.half_swings.HalfSwings.__call__": "tests/return_map/test_half_swings.py"
     "::test_the_residual_of_a_half_swing_is_what_it_is_off_by",
+    "return_map.panels.Panels.half_swing": "tests/return_map/test_panels.py"
+    "::test_the_durations_of_a_map_are_those_of_every_amplitude_within_the_error",
     "return_map.quarters.Bundle.of": "tests/return_map/test_quarters.py::test_a_late_start_is_paid_for",
     "return_map.quarters.Path.along": "tests/return_map/test_quarters.py::test_coefficients_that_are_dropped_count",
     "return_map.quarters.Path.enclosed": "tests/return_map/test_quarters.py::test_the_error_is_made_of_its_parts",

@@ -144,6 +144,7 @@ def test_what_the_lines_say_of_54_and_72_is_so():
 def test_what_the_comment_says_beyond_the_statements_is_so():
     said_there = comment("smith2012")
     assert (said_there["formulas"], said_there["decimals"], said_there["astray"]) == (14, 2, "0.460")
+    assert said_there["second_turn"] == f"{turning_point(2):.6f}"
     assert float(said_there["astray"]) > -turning_point(1) > turning_point(2)
     points = [1.0, *(turning_point(n) for n in range(1, 6))]
     for u, following in zip(points, points[1:]):  # Lambert's W

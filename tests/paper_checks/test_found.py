@@ -133,4 +133,4 @@ def test_the_search_of_a_page_finds_the_same(browser, report):
         assert [key for key in found if key not in tables] == ranked(everything, query), query
     browser.find_element("id", "search").send_keys("structural damping")
     shown = browser.find_element("id", "found").text
-    assert "docs/words  Structural damping" in shown and "equivalent-damping" in shown
+    assert "docs/words Structural damping" in shown and "equivalent-damping" in shown

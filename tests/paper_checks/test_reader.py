@@ -9,9 +9,23 @@ import pytest
 import sympy
 
 from paper_checks.grammar import UnreadableError, read
+from paper_checks.near_misses import WORDS
 from paper_checks.quoted import COMPUTED, quoted, texts, untied
-from paper_checks.reader import CORRECTED, SORTS, Tie, compared, digest, how_read, ledger, numbered, tie, tied
-from paper_checks.registry import Entry, load
+from paper_checks.reader import (
+    CORRECTED,
+    REFERENCES,
+    SORTS,
+    Tie,
+    compared,
+    digest,
+    how_read,
+    ledger,
+    numbered,
+    references,
+    tie,
+    tied,
+)
+from paper_checks.registry import FOLLOW_UPS, Entry, load
 from paper_checks.verdict import Evidence, Printed
 
 ENTRIES = load()
@@ -104,6 +118,14 @@ def test_latex_and_form_are_those_that_were_compared(key):
     assert digest(ENTRIES[key]) == DIGESTS[key], f"{key}: compare what is printed and the forms, then --compared"
 
 
+def test_the_references_are_those_that_were_compared(monkeypatch):
+    assert references() == LEDGER[REFERENCES]
+    number, title, ids = FOLLOW_UPS[0]
+    typo = number[:-2] + number[:-3:-1]  # the last two digits exchanged
+    monkeypatch.setattr("paper_checks.reader.FOLLOW_UPS", ((typo, title, ids), *FOLLOW_UPS[1:]))
+    assert typo != number and references() != LEDGER[REFERENCES]
+
+
 @pytest.mark.parametrize("key", random.Random("reader").sample(WHOLE, 25))
 def test_one_token_changed_in_the_latex_is_noticed(key):
     changes = list(altered(printed(key)[0]))
@@ -166,7 +188,7 @@ def test_corrected_formulas_differ_from_the_printed_ones():
             assert entry.corrected_latex != entry.latex
 
 
-TYPOS = (  # planted by a referee, who saw none noticed: the field, what is printed, what it became
+TYPOS = (  # planted by referees, who saw none noticed: the field, what is printed, what it became
     ("lelas2024:value.tau-a", "latex", "12.9", "12.8"),
     ("lelas2024:value.tau-a", "note", "12.8941", "12.8491"),
     ("lancaster2020:fn22", "latex", r"-\frac{c}{c'}", r"\frac{c}{c'}"),
@@ -177,6 +199,10 @@ TYPOS = (  # planted by a referee, who saw none noticed: the field, what is prin
     ("lelas2024:claim.better-approximation", "note", "0.1141", "0.1411"),
     ("lancaster2020:claim.kappa-fig1", "conditions", "0.0667", "0.0676"),
     ("smith2012:fig5", "note", "0.358", "0.385"),
+    ("lancaster2020:fn22", "latex", r"1+\alpha-2", r"1-\alpha-2"),
+    ("lancaster2020:table1.alpha3-2", "latex", r"{5\pi", r"{3\pi"),
+    ("lancaster2020:claim.valid-for-any-b", "conditions", "6 %", "9 %"),
+    ("lelas2024:claim.same-decay-friction", "corrected_latex", r"{2} - ", r"{2} + "),
 )
 
 
@@ -188,8 +214,19 @@ def test_a_typo_in_what_is_printed_is_noticed_by_the_run_and_named(key, field, r
     assert compared(entry) and not compared(changed)
     result = Entry(changed, {}, 0.0, compared=False)
     assert result.printed == Printed.OPEN and result.evidence == Evidence.NONE
-    if field != "latex":
+    if "latex" not in field:
         assert untied(changed) == [text for text in quoted(texts(changed)) if wrong in text]
+
+
+def test_what_is_shown_of_a_near_miss_in_words_is_compared(monkeypatch):
+    entry = ENTRIES["lancaster2020:fig2"]
+    monkeypatch.setitem(WORDS, entry.id, WORDS[entry.id].replace("1.99", "1.98"))
+    assert not compared(entry) and compared(ENTRIES["lancaster2020:fig3"])
+
+
+@pytest.mark.parametrize("change", [{"digits": 3}, {"order": "2"}, {"extent": "sampled: 9 points"}, {"slip": "none"}])
+def test_what_is_shown_beside_a_statement_is_compared(change):
+    assert not compared(replace(ENTRIES["lelas2024:value.tau-tilde-a"], **change))
 
 
 @pytest.mark.parametrize("key", ENTRIES)

@@ -16,6 +16,7 @@ from paper_checks import registry
 from paper_checks.__main__ import main
 from paper_checks.registry import PAPERS, Entry, expected_outcomes, load
 from paper_checks.report import build, write_report
+from paper_checks.report.certificates import PROVED
 from paper_checks.report.summary import markdown_summary
 
 VOID = {"meta", "br", "img", "hr", "link", "input"}
@@ -49,13 +50,29 @@ CITED = ("https://doi.org/", "https://arxiv.org/abs/")  # to follow, not fetched
 
 
 def test_the_certificates_beside_the_report_are_proved_by_the_page_beside_them(report):
+    """Every file that is written, as a stranger would; each is listed, and linked from the entries that it proves."""
     made = sorted(path.name for path in report.glob("certificate-*.json"))
-    assert len(made) == 2
+    assert made == sorted(each.file for each in PROVED) and len(made) == 13
+    index, told = (report / "index.html").read_text(), {}
     for name in made:
-        command = [sys.executable, "-I", "check_certificate.py", name]
+        command = [sys.executable, "-I", "-S", "check_certificate.py", name]
         ran = subprocess.run(command, cwd=report, capture_output=True, text=True)
-        assert ran.stdout.startswith("accepted\n") and "turning point 5: x = " in ran.stdout
-    assert "certificate-quadratic.json" in (report / "smith2012.html").read_text()
+        assert ran.stdout.startswith("accepted\n"), name
+        assert f'<a href="{name}">' in index
+        told[name] = ran.stdout
+    for each in PROVED:
+        for statement in each.statements:
+            page = (report / f"{statement.partition(':')[0]}.html").read_text()
+            card = page.partition(f'<article id="{statement}"')[2].partition("</article>")[0]
+            assert f'<a href="{each.file}">certificate</a>, checked by' in card, statement
+    assert 'href="certificate-table-smith2012.table1.json"' in (report / "smith2012.html").read_text()
+    # The numbers of the papers as they print them: the stops of Fig. 1 in s and in units of x0 = 1/5 m, u_5 of Table I.
+    assert "turning point 20: x = 0.0038000000000000000000" in told["certificate-lelas2024-fig1a.json"]
+    assert "t = 14.0496" in told["certificate-lelas2024-fig1a.json"]
+    assert "turning point 7: x = 0.0060100000000000000000" in told["certificate-lelas2024-fig1b.json"]
+    assert "t = 4.9173" in told["certificate-lelas2024-fig1b.json"]
+    assert "turning point 5: x = -0.127907509" in told["certificate-smith2012-table1.json"]
+    assert "turning point 8: it stays" in told["certificate-lancaster2020-fig1.json"]
 
 
 def test_every_page_is_well_formed_and_self_contained(report):

@@ -13,7 +13,7 @@ from asymptotics.law import Law
 from asymptotics.numbers.exact import parse_real
 from asymptotics.return_map import panel_plan
 from asymptotics.return_map.chebyshev import cut
-from asymptotics.return_map.panel_plan import planned, verified
+from asymptotics.return_map.panel_plan import between, farthest, from_zero, path, pieces_from_zero, verified, widest
 from asymptotics.return_map.panels import Panels
 from tests.return_map.laws import LAWS, by_pieces, coordinate
 
@@ -47,7 +47,8 @@ def test_the_half_swing_at_complex_strengths_obeys_the_bounds(pairs, middle, hal
 
 
 def test_no_panel_is_planned_where_no_ellipse_is_wide_enough():
-    assert planned(coordinate((("1", "1999/1000"), ("2", "1/10"))), 1.0, 200, 190) is None
+    assert from_zero(coordinate((("1", "1999/1000"), ("2", "1/10"))), 1.0, 190, quartered=True) is None
+    assert between(coordinate((("1", "1999/1000"), ("sqrt(2)", "1/10"), ("2", "1/10"))), 0.0, 200, 190) is None
 
 
 def test_an_ellipse_that_reaches_too_far_is_made_smaller():
@@ -59,18 +60,36 @@ def test_an_ellipse_that_reaches_too_far_is_made_smaller():
 
 
 def test_a_plan_saves_half_swings_or_is_none():
-    c = coordinate((("1", "1/20"), ("2", "1/5")))
-    short, long = planned(c, 1.0, 12, 120), planned(c, 1.0, 1000, 120)
-    assert short is None and long is not None and long.nodes + long.wait < 100
-    more = planned(c, 1.0, 1000, 400)
+    c = coordinate((("sqrt(2)", "1/20"), ("2", "1/20")))
+    short, long = between(c, 0.0, 12, 120), between(c, 0.0, 1000, 120)
+    assert short is None and long is not None and long.nodes + long.wait < 150
+    more = between(c, 0.0, 1000, 400)
     assert more is not None and more.nodes > 2 * long.nodes
-    half = coordinate((("1/2", "1/100"),))
-    for count in (10, 60):  # all of them on one panel, the last amplitude included
-        path = list(panel_plan._path(half, 1.0, count))
-        plan = planned(half, 1.0, count, count)
-        assert plan.served == count == len(path) and path[-1] * 0.95 < plan.low < path[-1] < path[0] == plan.high
-    strong = planned(coordinate((("1", "3"),)), 1.0, 1000, 120)
-    assert strong is None
+    half = coordinate((("0", "1/1000"), ("1/2", "1/1000")))
+    for count in (20, 60):  # all of them on one panel, the last place included
+        places = list(path(half, 0.0, count))
+        plan = between(half, 0.0, count, count)
+        assert plan.served == count == len(places) and places[-1] - 0.05 < plan.first < places[-1]
+        assert places[0] < plan.last < places[0] + 0.01
+
+
+def test_a_panel_from_zero_holds_the_place_and_is_one_of_a_row():
+    """The longest that is cheap, whatever place is asked for; a shorter one where that is dear."""
+    c = coordinate((("3/2", "1"),))
+    reach = panel_plan.reach_of(c, whole=False)
+    plans = [from_zero(c, z, 80, quartered=True) for z in (1e-6, 0.1, 0.45 * reach, 0.55 * reach)]
+    assert plans[:2] == [plans[2]] * 2 and plans[2].last == 0.5 * reach and plans[3] is None
+    assert farthest(c, 80, quartered=True).last == 0.8 * reach
+    dear = [from_zero(c, z, 1000, quartered=True) for z in (1e-6, 0.1, 0.4 * reach)]
+    assert dear[0].last < dear[1].last < dear[2].last and all(p.last > z for p, z in zip(dear, (1e-6, 0.1, 0.4)))
+    assert dear[0].work(True) <= 1.3 * 1000 / 40 + 50
+
+
+def test_what_half_swings_are_worth_counts_those_before_the_panel():
+    c = coordinate((("3/2", "1"),))
+    nodes = from_zero(c, 0.1, 80, quartered=True).work(True)
+    low, high = (pieces_from_zero(c, 2 * np.log(z), 500, 80) for z in (0.1, 2.0))
+    assert low == nodes and nodes < high <= nodes + 3 and pieces_from_zero(c, 0.0, 7, 80) == 7
 
 
 @pytest.mark.parametrize("case", [0, 1, 2, 3, 6])
@@ -85,7 +104,7 @@ def test_the_stretch_in_doubles_is_that_of_the_majorant(case):
     pairs, low, high, _ = LAWS[case]
     c = coordinate(pairs)
     first, last = sorted(float(c(arb(p))) for p in (low, high))
-    axis = panel_plan._stretch(c, low, high) * (last - first) / 2
+    axis = widest(c, (first + last) / 2, (last - first) / 2) * (last - first) / 2
     middle = arb((first + last) / 2)
     assert c.bounds(middle, arb(0.94 * axis)) is not None and c.bounds(middle, arb(1.06 * axis)) is None
 
@@ -106,10 +125,12 @@ def test_the_moment_in_doubles(p):
 
 def test_strong_drag_fades_as_the_averaged_law_says():
     """25 x'^3 takes 7/8 in the first half-swing, not all but 10^-13: the panel begins where its amplitudes are."""
-    path = list(panel_plan._path(coordinate((("3", "25"),)), 1.0, 40))
-    assert path[1:] == pytest.approx([(1 + 2 * n * np.pi * 25 * 3 / 8) ** -0.5 for n in range(1, 40)], rel=1e-12)
-    made = Panels(Law({3: 25}), 60)
+    places = list(path(coordinate((("3", "25"),)), 0.0, 40))
+    assert np.exp(places[1:]) == pytest.approx(
+        [(1 + 2 * n * np.pi * 25 * 3 / 8) ** -0.5 for n in range(1, 40)], rel=1e-12
+    )
+    made = Panels.alone(Law({3: 25}), 60)
     p, n = arb(1), 0
-    while made.serving(p, arb(0), 500 - n) is None and n < 9:
+    while made.half_swing(p, arb(0), 500 - n) is None and n < 9:
         p, n = (p * by_pieces((("3", "25"),), p, 60).amplitude).mid(), n + 1
-    assert n < 9 and made.made[0].high > 0.05
+    assert 0 < n < 9

@@ -28,7 +28,8 @@ SLOW = set(TOKENS[2:])
 def options_of(command):
     parser = argparse.ArgumentParser(add_help=False)
     command_of(command).configure(parser)
-    return {flag: action for flag, action in parser._option_string_actions.items() if flag.startswith("--")}
+    flags = parser._option_string_actions.items()
+    return {flag: action for flag, action in flags if flag.startswith("--") and action.help != argparse.SUPPRESS}
 
 
 TAKING = [(c, flag) for c in QUESTIONS for flag, action in options_of(c).items() if action.nargs != 0]

@@ -176,7 +176,7 @@ def test_a_full_disk_loses_nothing_finished(log, folder):
     process = driver(log, folder, last=200, workers=1, preexec_fn=_small_files)
     _, errors = process.communicate()
     assert process.returncode != 0
-    assert "InputError: argument store: cannot write to" in errors
+    assert "InputError: argument folder: cannot write to" in errors
     assert "the same command continues" in errors
     finished = stored(folder, points)
     assert finished

@@ -16,14 +16,14 @@ def test_a_foreign_store_is_refused_and_left_alone(folder, log, content):
     if content is not None:
         (folder / "store.json").write_text(content)
     before = sorted(p.name for p in folder.iterdir())
-    with pytest.raises(InputError, match="argument store"):
+    with pytest.raises(InputError, match="argument folder"):
         sweep(tasks.square, "square", tasks.grid(log, 2), folder, workers=1)
     assert sorted(p.name for p in folder.iterdir()) == before
 
 
 def test_a_file_is_no_store(tmp_path, log):
     (tmp_path / "file").write_text("x")
-    with pytest.raises(InputError, match="argument store"):
+    with pytest.raises(InputError, match="argument folder"):
         sweep(tasks.square, "square", tasks.grid(log, 2), tmp_path / "file", workers=1)
 
 
@@ -38,5 +38,5 @@ def test_a_lost_store_json_locks_no_sound_point_away(folder, log):
     (folder / "store.json").unlink()
     for shard in (folder / "shards").iterdir():
         shard.write_text(shard.read_text().replace("sha256", "sha257"))
-    with pytest.raises(InputError, match="argument store"):
+    with pytest.raises(InputError, match="argument folder"):
         sweep(tasks.square, "square", grid, folder, workers=1)

@@ -80,3 +80,18 @@ def test_the_file_of_a_table_is_accepted_by_the_page_beside_it_and_a_wrong_row_i
     content[1]["claims"][0]["t"] = content[0]["claims"][0]["t"]
     path.write_text(json.dumps(content))
     assert subprocess.run(ran, capture_output=True, text=True, cwd=tmp_path).stdout.startswith("refused: t = ")
+
+
+@pytest.mark.parametrize("law", [asy.Law({(1, 2): "1/10"}), asy.Law({2: "1/10"}, spring={3: "1/10"})])
+def test_a_law_beside_which_motions_may_part_is_named_whole_and_has_none(law):
+    """Its label once left out the place, so that x^2 x' was taken for x'."""
+    table = asy.table("turning-points", law=law, rows=2, digits=6)
+    assert table.rows[0][0] in ("1,2:1/10", "2:1/10,spring x^3:1/10")
+    with pytest.raises(InputError, match="motions may part"):
+        table.certificate()
+
+
+def test_a_table_of_such_a_law_is_compared_by_its_own_head(tmp_path):
+    table = asy.table("turning-points", law={(1, 2): "1/10"}, rows=2, digits=6)
+    (tmp_path / "mine.csv").write_text(table.to_csv_file())
+    assert asy.compare(tmp_path / "mine.csv").summary["all_right"] == 4

@@ -6,6 +6,7 @@ import json
 import re
 import shutil
 import subprocess
+import sys
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -20,6 +21,7 @@ from asymptotics.errors import InputError, UndecidedError
 from asymptotics.numbers.decimals import rational_decimal
 from asymptotics.numbers.rounding import MODES, half_unit, rounded_decimal, rounded_rational
 from asymptotics.tables.cells import Nearest, round_rows
+from asymptotics.tables.certified import CLAIMS
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.provenance import checksum
 from asymptotics.tables.registry import build, description, names
@@ -199,7 +201,14 @@ def test_the_standard_set_is_written_whole(tables, tmp_path, monkeypatch):
     monkeypatch.setattr("asymptotics.tables.standard_set.names", lambda: dict.fromkeys(CHEAP, ""))
     monkeypatch.setattr("asymptotics.tables.standard_set.build", lambda name, digits: tables[name])
     made = standard_set(tmp_path / "tables", 8)
-    assert len(list((tmp_path / "tables").iterdir())) == 3 * len(made) + 1
+    proved = sorted(path.name for path in (tmp_path / "tables").glob("*.certificate.json"))
+    assert proved == sorted(f"{t.name}.certificate.json" for t in made if t.name in CLAIMS) != []
+    for name in proved:
+        ran = [sys.executable, "-I", "-S", "check_certificate.py", name]
+        told = subprocess.run(ran, cwd=tmp_path / "tables", capture_output=True, text=True)
+        assert told.stdout.startswith("accepted\n"), name
+        assert f"]({name})" in (tmp_path / "tables" / "index.md").read_text()
+    assert len(list((tmp_path / "tables").iterdir())) == 3 * len(made) + len(proved) + 2
     monkeypatch.setattr("asymptotics.tables.standard_set.build", lambda name, n: build(name, n, FEWER.get(name)))
     again = standard_set(tmp_path / "again", 8)
     for path in (tmp_path / "tables").iterdir():

@@ -6,8 +6,10 @@ import pytest
 
 from asymptotics.errors import InputError
 from asymptotics.law import Law
+from asymptotics.shell.main import main
 from asymptotics.tables.inputs import Inputs
-from asymptotics.tables.registry import build
+from asymptotics.tables.registry import build, names
+from asymptotics.tables.standard_set import validated, with_validation
 from asymptotics.tables.validation import ROUTES
 
 REFERENCE = ("smith2012.table1", "two-law-times")
@@ -61,3 +63,22 @@ def test_json_and_what_has_no_route():
         build("phase-lags", 5).validate(0)
     with pytest.raises(InputError, match="not recomputed by mpmath alone"):
         replace(build("moments", 5), name="stokes.constants").validate()
+
+
+def test_the_shell_prints_the_numbers_of_mpmath_beside_ours(capsys):
+    assert main(["table", "smith2012.table1", "--digits", "9", "--validate"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    (row,) = (line.split() for line in lines if line.startswith("4    S_hat"))
+    assert row[2] == "0.133833083" and row[3].startswith("0.13383308270665") and len(row[3]) == 62
+    assert lines[-1].startswith("recomputed by mpmath ") and lines[-1].endswith(" to 60 digits: equal")
+
+
+@pytest.mark.parametrize("name", ["moments", "smith2012.f"])
+def test_every_reference_table_says_which_route_has_recomputed_it(name):
+    table = with_validation(build(name, 8))
+    told = validated(table)
+    assert f"# validation: {told}\n" in table.to_csv_file() and f"% validation: {told}\n" in table.to_latex() + "\n"
+    assert told.startswith("recomputed by mpmath " if name in ROUTES else "not by mpmath alone; the tests obtain it")
+    assert set(ROUTES) < set(names())
+    wrong = altered(table, 1) if name in ROUTES else table
+    assert ("differ" in validated(wrong)) == (name in ROUTES)

@@ -42,7 +42,7 @@ def orbits():
         with ctx.workprec(122):
             damping = Damping.of_law(law)
         with ctx.workprec(90):
-            points = list(islice(sequence(Interpolated(damping, Panels(law, 90), 2001), at_rest(arb(1))), 2001))
+            points = list(islice(sequence(Interpolated(damping, Panels.alone(law, 90), 2001), at_rest(arb(1))), 2001))
             found[alphas] = [(arb(p.amplitude, p.amplitude_error).log(), p.tau) for p in (points[0], points[2000])]
     return found
 

@@ -108,12 +108,13 @@ def test_fewer_digits_are_a_rounding_of_more():
 
 
 def test_what_could_not_be_rounded_is_tried_with_the_bits_it_lacked(monkeypatch):
-    wanted = turning_points(law(("3/2", "1/10")), 3, 12, times=True)
+    wanted, mapped = (turning_points(law(("3/2", "1/10")), 3, 12, times=True, route=r) for r in ("stepping", None))
     # 39 bits hold 12 digits, 20 spare ones and 2 x 2 for three half-swings: 63.
     assert wanted.method == "half-swing by half-swing, local expansions and Taylor steps in balls of 63 bits"
     monkeypatch.setattr(enclosing, "_SPARE", -25)
-    again = turning_points(law(("3/2", "1/10")), 3, 12, times=True)
-    assert again.points == wanted.points and again.method != wanted.method
+    again = turning_points(law(("3/2", "1/10")), 3, 12, times=True, route="stepping")
+    assert again.points == wanted.points == mapped.points and again.method != wanted.method
+    assert mapped.method.endswith("Chebyshev interpolation in the amplitude in balls of 63 bits or more")
     assert 39 < int(again.method.split()[-2]) < 130
 
 

@@ -50,7 +50,9 @@ _HEAD = ("law", "grade", "alpha", "low", "strength", "high")
 
 def _rows(found: DampingLaw) -> list[tuple[Any, ...]]:
     """A row for each strength of each law."""
-    return [(c.name, c.told(), s.alpha, s.low, s.estimate, s.high) for c in found.laws for s in c.strengths]
+    rows = [(c.name, c.told(), s.alpha, s.low, s.estimate, s.high) for c in found.laws for s in c.strengths]
+    # No interval is an empty cell.
+    return [tuple("" if cell != cell else cell for cell in row) for row in rows]
 
 
 def _csv(found: DampingLaw, request: Request) -> str:
@@ -63,7 +65,7 @@ def _csv(found: DampingLaw, request: Request) -> str:
 
 
 # What tells every double apart: the fit is one in doubles.
-_COLUMNS, _DIGITS = ("A", "zeta", "Q", "decrement", "resolution"), 17
+_COLUMNS, _DIGITS = ("A", "zeta", "Q", "decrement", "n", "cycles", "t", "resolution"), 17
 
 
 def _again(request: dict[str, str], header: list[str], rows: list[tuple[int, list[str]]], *_: Any) -> Comparison:
@@ -135,7 +137,7 @@ def damping_law(
     Parameters
     ----------
     table
-        columns A, zeta (Q, decrement), resolution: the law
+        columns A, zeta (Q, decrement; or n, cycles, t of two amplitudes or more), resolution: the law
     resolution
         with --from: the standard deviation of each value
     laws
@@ -159,8 +161,10 @@ def damping_law(
     Notes
     -----
     ``table`` is a file, a data frame or a mapping with a column A (amplitude, m or rad, or as its header says: A [deg],
-    A [mm]), one of zeta, Q, decrement, and perhaps resolution (the standard deviation of each).  Source: derivation
-    ``equivalent-damping``.
+    A [mm]), one of zeta, Q, decrement (zeta [%] in per cent), and perhaps resolution (the standard deviation of each).
+    In their place the amplitudes of a decay themselves: n counts half-swings, cycles periods, t is the time in s
+    (omega_0 t without ``mass`` and ``stiffness``); resolution is that of A then.  Two amplitudes tell the strength of
+    each law of one term.  Source: derivation ``equivalent-damping``.
 
     Examples
     --------

@@ -167,7 +167,7 @@ def damping(
     unit: Annotated[str, UNIT] = "",
     max_seconds: Annotated[Number, SECONDS] = 60,
 ) -> EquivalentDamping:
-    """Equivalent damping of a law at amplitudes: zeta, Q, decrement, energy loss, c_eq, half-life.
+    """Equivalent damping of a law at amplitudes: zeta, Q, decrement, energy loss, c_eq, half-life, period, omega.
 
       asymptotics damping --alpha 2 --epsilon 1/10 --amplitudes 1/2,1
       asymptotics damping --law 1:0.1 --law 2:0.2 --mass 3/2 --stiffness 30 --amplitudes 0.2,0.1 --order 3
@@ -178,8 +178,10 @@ def damping(
     Formulas of first order (one cycle without loss: zeta = Delta E/(4 pi E), Q = 2 pi E/Delta E, decrement
     ln(A_n/A_(n+2)), c_eq = Delta E/closed integral of v dx, half-life from A to A/2), certified numbers of it, and of
     the motion itself over one full swing from rest at A, with zeta_log = d/sqrt(4 pi^2 + d^2) of its decrement d in the
-    place of zeta; with --order N the series of these, each number with its proved bound.
-    --from FILE is the inverse: columns A and zeta, Q or decrement (and resolution), to candidate laws with intervals.
+    place of zeta; with --order N the series of these, each number with its proved bound.  The backbone: period T(A) and
+    omega(A) = 2 pi/T of the cycle without loss, and of the full swing.
+    --from FILE is the inverse: columns A and zeta, Q or decrement (and resolution), or A and n, cycles or t of a decay,
+    to candidate laws with intervals.
     Units are SI when --damping, --mass or --stiffness is given; a pendulum's amplitudes are in rad.
 
     Parameters

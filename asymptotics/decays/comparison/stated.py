@@ -15,6 +15,8 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+from asymptotics.tables.inputs import terms_of_label
+
 _LINES, _LONG = 20, 100_000
 """Lines of a head, and characters of one, that are read: heads of our own are a handful of short lines."""
 
@@ -48,7 +50,7 @@ def stated(path: Path) -> Stated | None:
     if name is None or not isinstance(inputs, dict):
         return None
     law, rows = inputs.get("law"), inputs.get("rows")
-    terms = tuple(law.split(",")) if isinstance(law, str) else ()
+    terms = terms_of_label(law) if isinstance(law, str) else ()
     count = rows if isinstance(rows, int) else None
     return Stated(name[0], _texts(inputs.get("alpha")), terms, _texts(inputs.get("epsilon")), count)
 

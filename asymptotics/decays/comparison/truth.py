@@ -11,15 +11,17 @@ Whether they are certified is what the routes themselves say: one value that is 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Any
 
 from flint import arb
 
+from asymptotics.certificates.known import unit_start
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.dense import State
 from asymptotics.law import Oscillator
+from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.reference import reference_motion, reference_states
-from asymptotics.motions.result import MotionPoint
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.digits import ball_of
@@ -61,11 +63,25 @@ def at_turning_points(
         try:
             with ctx.workprec(bits_for(digits + guard, 32)):
                 # The precision is set before x0 and omega_0 become balls.
-                units = _Units(oscillator.x0.ball(), oscillator.omega_0(), digits, ctx.prec)
+                units = _Units(_length(oscillator, digits + guard), oscillator.omega_0(), digits, ctx.prec)
                 return _at_turning_points(oscillator, numbers, digits + guard, wanted, units.changed)
         except UndecidedError as undecided:
             reason = undecided
     raise UndecidedError(f"a value in SI is not decided to {digits} digits: {reason}")
+
+
+def _kick(oscillator: Oscillator) -> dict[str, Any]:
+    """The start in units of its radius, for one in motion."""
+    return {} if oscillator.v0.is_zero else dict(zip(("x0", "v0"), unit_start(oscillator)))
+
+
+def _length(oscillator: Oscillator, digits: int) -> arb:
+    """The unit of places, with the sign of point 0: the start at rest, or the amplitude of turning point 0."""
+    if oscillator.v0.is_zero:
+        return oscillator.x0.ball()
+    first = turning_points(oscillator.dimensionless, 1, digits + 8, **_kick(oscillator)).first
+    # A motion that never turns has no point to be measured.
+    return oscillator.length() * (arb(1) if first is None else ball_of(first["amplitude"]))
 
 
 def _at_turning_points(
@@ -86,7 +102,8 @@ def _at_turning_points(
         # Points far apart are asked for in stretches: the table of all between them may have 10^30 rows.
         for first, last in _runs(sorted(set(numbers))):
             times = bool(wanted & {"tau", "t"})
-            made.append(turning_points(oscillator.dimensionless, last - first + 1, digits, start=first, times=times))
+            law, kick = oscillator.dimensionless, _kick(oscillator)
+            made.append(turning_points(law, last - first + 1, digits, start=first, times=times, **kick))
     return _from_tables(made, numbers, wanted, change)
 
 

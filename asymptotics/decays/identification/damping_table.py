@@ -12,14 +12,17 @@ viscous drag and drag in v^2: consistent; epsilon_1 = ...; the table cannot tell
 
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from math import inf, nan
 from typing import Any
 
 import numpy as np
 
+from asymptotics.decays.identification.between_amplitudes import pairs
 from asymptotics.decays.identification.found_law import DampingLaw
 from asymptotics.decays.identification.inverse_damping import QUANTITIES, DampingCandidate, Problem, fitted, weighted
 from asymptotics.decays.records.sources import How, Source, opened
-from asymptotics.decays.records.units import ANGLES, UNITS, suffix
+from asymptotics.decays.records.units import ANGLES, UNITS, seconds, suffix
 from asymptotics.equivalent.rows import OF_MOTION, row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator, SpringLike
@@ -33,13 +36,19 @@ from asymptotics.terms import terms_of
 DEFAULT = ("0", "1", "2", "3", "0+1", "1+2", "0+2", "1+3", "0+1+2")
 # They bound the work: a profile is many least squares over all rows, for every strength of every candidate.
 MAX_POINTS, MAX_TERMS = 1000, 4
+_PERCENT = ("%", "percent", "per cent", "pct", "prozent")
 NAMES = {
     "amplitude": ("a", "amplitude"),
     "zeta": ("zeta", "damping ratio", "damping_ratio"),
     "Q": ("q", "quality factor", "quality_factor"),
     "decrement": ("decrement", "lambda", "log decrement", "log_decrement"),
     "resolution": ("resolution", "sigma", "s", "uncertainty", "error"),
+    "n": ("n",),
+    "cycles": ("cycle", "cycles", "period", "periods", "count"),
+    "t": ("t", "time", "tau"),
 }
+CLOCKS = ("n", "cycles", "t")
+"""Half-swings, periods, or the time: what amplitudes alone stand beside."""
 
 
 def law_of_table(
@@ -55,31 +64,66 @@ def law_of_table(
 
     InputError by name for what cannot be used.
     """
+    if (mass is None) != (stiffness is None):
+        raise InputError("mass" if mass is None else "stiffness", "is missing", "both, or neither")
     columns, quantity, notes = _read(table)
-    given = _positive(columns["amplitude"], "A")
-    values = _positive(columns[quantity], quantity)
     known = columns.get("resolution")
     if resolution is not None:
         if known is not None:
             raise InputError("resolution", "the table has a column of that name", "one of the two")
-        known = np.full(len(given), float(resolution.ball().mid()))
+        known = np.full(len(columns["amplitude"]), float(resolution.ball().mid()))
     spread = None if known is None else _positive(known, "resolution")
-    if (mass is None) != (stiffness is None):
-        raise InputError("mass" if mass is None else "stiffness", "is missing", "both, or neither")
-    candidates = _candidates(laws)
-    # One row more than strengths, or chi^2 has no degree of freedom and every candidate fits.
-    if len(given) < 1 + max(map(len, candidates)):
-        raise InputError("table", f"{len(given)} rows are too few", f"more than {max(map(len, candidates))} rows")
+    given = _positive(columns["amplitude"], "A")
+    ends, between = (float(given.min()), float(given.max())), quantity in CLOCKS
+    used = {"A": given.tolist(), quantity: columns[quantity].tolist()}
+    used |= {} if spread is None else {"resolution": spread.tolist()}
+    if between:
+        if spring is not None:
+            raise InputError(
+                "spring", "amplitudes at times are read with a linear one", "a table of zeta, Q, decrement"
+            )
+        places, values, spread, said = _losses(columns, quantity, spread, mass, stiffness)
+        quantity, notes = "decrement", (*notes, *said)
+    else:
+        places, values = given, _positive(columns[quantity], quantity)
+        if quantity == "zeta" and not float(values.min()) < 1:
+            reason = f"the smallest is {values.min():g}: from 1 on nothing swings"
+            raise InputError("zeta", reason, "a ratio below 1, or per cent in a column zeta [%]")
+    # One row more than strengths, or chi^2 has no degree of freedom and every candidate fits; two amplitudes alone give
+    # the strength of each law of one term, and test none.
+    candidates, skipped = _candidates(laws, len(values) if between and len(values) == 1 else len(values) - 1)
     # m = k = 1 without them: b is epsilon then, in the unit of the amplitudes.
-    problem = Problem(quantity, candidates, mass or 1, stiffness or 1, spring)
-    table_of = given.tolist(), values.tolist(), None if spread is None else spread.tolist()
+    problem = Problem(quantity, candidates, mass or 1, stiffness or 1, spring, between)
+    table_of = places.tolist(), values.tolist(), None if spread is None else spread.tolist()
     found, (zeta, s) = fitted(*table_of, problem), weighted(*table_of, problem)
-    if spread is None:
+    if len(values) == 1:
+        notes += ("one loss and one strength: each law of one term has its own, and none is tested",)
+    if spread is None and len(values) == 1:
+        notes += ("no resolution: no intervals",)
+        found = tuple(replace(c, strengths=tuple(replace(e, low=nan, high=nan) for e in c.strengths)) for c in found)
+    elif spread is None:
         notes += ("no resolutions: taken equal, as large as the best candidate needs, so none is refuted by chance",)
-    ends = float(given.min()), float(given.max())
-    off, relative = _neglected(problem, found[0], ends), float(np.median(s / zeta))
-    used = {"A": table_of[0], quantity: table_of[1]} | ({} if spread is None else {"resolution": spread.tolist()})
-    return DampingLaw(problem, found, len(given), ends, off, relative, mass is not None, notes, used)
+    off = _neglected(problem, found[0], ends)
+    relative = inf if spread is None and len(values) == 1 else float(np.median(s / zeta))
+    return DampingLaw(problem, found, len(given), ends, off, relative, mass is not None, (*notes, *skipped), used)
+
+
+def _losses(
+    columns: dict[str, Any], clock: str, spread: Any, mass: ExactReal | None, stiffness: ExactReal | None
+) -> tuple[Any, Any, Any, tuple[str, ...]]:
+    """Pairs of neighbouring amplitudes with the decrement of a cycle between them, its error, and what is told."""
+    size, count = columns["amplitude"], columns[clock]
+    omega = 1.0 if mass is None or stiffness is None else float((stiffness / mass).ball().mid()) ** 0.5
+    of_one = {"n": 0.5, "cycles": 1.0, "t": omega / (2 * np.pi)}[clock]
+    both, values = pairs(size, of_one * count)
+    named = {"n": "n counts half-swings", "cycles": "periods are counted", "t": "t in s"}[clock]
+    if clock == "t" and mass is None:
+        named = "t is omega_0 t, for want of a mass and a stiffness"
+    if spread is None:
+        return both, values, None, (named,)
+    # The errors of both amplitudes; that neighbours share one is neglected.
+    error = np.hypot(spread[:-1] / size[:-1], spread[1:] / size[1:]) / (of_one * np.diff(count))
+    return both, values, error, (named,)
 
 
 def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
@@ -99,12 +143,23 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
         names, left = list(source.names), [n for n in source.names if _what(n) is None]
         columns = {what: body.columns[i] for what, i in at.items()}
     quantities = [q for q in QUANTITIES if q in columns]
+    # Without any of them the amplitudes themselves tell the loss, by their numbers or times.
+    clocks = [c for c in CLOCKS if c in columns]
+    quantities = quantities or clocks[:1]
+    unused = [c for c in clocks if c != quantities[0]] if quantities else []
     if "amplitude" not in columns or len(quantities) != 1:
         reason = "no column A" if "amplitude" not in columns else f"{len(quantities)} of the columns zeta, Q, decrement"
-        raise InputError("table", f"it has {reason}", "columns A and one of zeta, Q, decrement, perhaps resolution")
+        raise InputError(
+            "table",
+            f"it has {reason}",
+            "columns A and one of zeta, Q, decrement (or n, cycles, t of the amplitudes), perhaps resolution",
+        )
     if len({len(c) for c in columns.values()}) != 1:
         raise InputError("table", "its columns differ in length", "columns of one length")
+    columns = {what: values for what, values in columns.items() if what not in unused}
+    left += [name for name in names if _what(name) in unused]
     notes = [f"not used: {', '.join(left)}"] if left else []
+    notes += _in_plain_numbers(columns, names)
     name = next(name for name in names if _what(name) == "amplitude")
     unit = suffix(name)
     if unit and unit not in UNITS:
@@ -113,6 +168,19 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
         columns["amplitude"] = columns["amplitude"] * UNITS[unit]
         notes.append(f"amplitudes in {unit} taken as {'rad' if unit in ANGLES else 'm'}")
     return columns, quantities[0], tuple(notes)
+
+
+def _in_plain_numbers(columns: dict[str, Any], names: Sequence[str]) -> list[str]:
+    """Per cent and milliseconds made plain, as the names of the columns say; what was done."""
+    told = []
+    for name in names:
+        what, unit = _what(name), suffix(name) or name.rpartition("_")[2]
+        if what in ("zeta", "decrement", "resolution") and what in columns and unit.lower() in _PERCENT:
+            columns[what] = columns[what] / 100
+            told.append(f"{name}: per cent")
+        if what == "t" and what in columns:
+            columns[what] = columns[what] * seconds(name, "the table")
+    return told
 
 
 def _opened(table: Any) -> Source:
@@ -127,8 +195,11 @@ def _opened(table: Any) -> Source:
 
 
 def _what(name: str) -> str | None:
-    # The name without its unit, written as A [deg], A (mm) or A / mm.
-    plain = re.sub(r"\s*[\[(].*|\s+/\s.*", "", name.strip()).lower()
+    # The name without its unit, written as A [deg], A (mm), A / mm or A_deg.
+    plain = re.sub(r"\s*[\[(].*|\s+/\s.*", "", name.strip())
+    unit = re.fullmatch(r"(.*)_([^_]+)", plain)
+    known = unit and (suffix(plain) or unit[2].lower() in _PERCENT)
+    plain = (unit[1] if unit and known else plain).lower()
     return next((what for what, words in NAMES.items() if plain in words), None)
 
 
@@ -142,20 +213,32 @@ def _positive(values: Any, name: str) -> Any:
     return values
 
 
-def _candidates(laws: Any) -> tuple[tuple[str, ...], ...]:
-    """Exponents as text; InputError for what is no exponent, twice the same, or too many."""
+def _candidates(laws: Any, most: int) -> tuple[tuple[tuple[str, ...], ...], tuple[str, ...]]:
+    """Exponents as text, and what is skipped: laws of more than ``most`` strengths, and a free exponent.
+
+    InputError for what is no exponent, twice the same or too many, and where nothing is left.
+    """
     given = DEFAULT if laws is None else (laws,) if isinstance(laws, str) else laws
     if not isinstance(given, list | tuple) or not given:
         raise InputError("laws", "there is none", 'texts such as ["1", "1+2"]')
-    made = []
+    made, left = [], []
     for law in given:
+        if law == "free":
+            left.append("free (the exponents of a table are given: try some)")
+            continue
         alphas = [exact_number(part, "laws") for part in (terms_of(law, "laws") if isinstance(law, str) else [law])]
         if len(alphas) > MAX_TERMS or len({str(a) for a in alphas}) < len(alphas) or any(a < 0 for a in alphas):
             raise InputError(
                 "laws", f"{str(law)[:40]!r} is no candidate", f"up to {MAX_TERMS} different exponents >= 0"
             )
-        made.append(tuple(str(a) for a in alphas))
-    return tuple(dict.fromkeys(made))
+        if len(alphas) > most:
+            left.append(f"{'+'.join(map(str, alphas))} ({len(alphas)} strengths)")
+        else:
+            made.append(tuple(str(a) for a in alphas))
+    skipped = f"skipped: {', '.join(dict.fromkeys(left))}"
+    if not made:
+        raise InputError("table", f"too few rows: {skipped}", "a row more than strengths, and given exponents")
+    return tuple(dict.fromkeys(made)), (skipped,) if left else ()
 
 
 def _neglected(problem: Problem, best: DampingCandidate, ends: tuple[float, float]) -> float | None:

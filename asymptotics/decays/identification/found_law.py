@@ -4,6 +4,7 @@ Estimates in doubles (``inverse_damping``); what the first order neglects is mea
 """
 
 from dataclasses import dataclass, field
+from math import isnan
 from typing import Any
 
 from asymptotics.decays.identification.forward.candidates import loss_in_words
@@ -67,7 +68,8 @@ class DampingLaw(Rows):
 
     def _shown(self, s: Strength) -> str:
         letter = "b" if self.si else "epsilon"
-        return f"{letter}_{s.alpha} = {s.estimate:.4g} [{s.low:.4g}, {s.high:.4g}]{self._unit(s)}"
+        ends = "" if isnan(s.low) else f" [{s.low:.4g}, {s.high:.4g}]"
+        return f"{letter}_{s.alpha} = {s.estimate:.4g}{ends}{self._unit(s)}"
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: numbers are strings."""
@@ -76,7 +78,7 @@ class DampingLaw(Rows):
                 "law": c.name, "grade": c.grade, "told": c.told(), "left": f"{c.left:.4g}", "p_value": f"{c.p:.4g}",
                 "chi_squared": f"{c.chi_squared:.6g}", "criterion": f"{c.criterion:.6g}", "unneeded": list(c.unneeded),
                 "strengths": [
-                    {"alpha": s.alpha, "low": repr(s.low), "estimate": repr(s.estimate), "high": repr(s.high)}
+                    {"alpha": s.alpha, "low": _end(s.low), "estimate": repr(s.estimate), "high": _end(s.high)}
                     for s in c.strengths
                 ],
             }
@@ -119,6 +121,11 @@ class DampingLaw(Rows):
             "strength_low": [s.low for _, s in rows],
             "strength_high": [s.high for _, s in rows],
         }
+
+
+def _end(value: float) -> str | None:
+    """An end of an interval; None where there is none."""
+    return None if isnan(value) else repr(value)
 
 
 def _words(candidate: DampingCandidate) -> str:

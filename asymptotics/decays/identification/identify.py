@@ -79,11 +79,13 @@ def identified(
         raise InputError("data", f"{len(sources)} runs", f"1 to {MAX_RUNS} runs")
     _candidates(laws, springs, times=True, angles=True)  # a law that cannot be read is refused before the work
     tick("the reading of the data")
-    runs = [_in_range(run, amplitudes) for source in sources for run in load(source, kind, unit, how, modes)]
+    omega = _omega(mass, stiffness, omega_0)
+    runs = [_in_range(run, amplitudes) for source in sources for run in load(source, kind, unit, how, omega, modes)]
     units = {run.unit for run in runs}
     if len(units) > 1:
         raise InputError("unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
-    known = RecordUnits(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, _omega(mass, stiffness, omega_0))
+    said = runs[0].omega if omega is None and isinstance(runs[0], Observations) else omega
+    known = RecordUnits(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, said)
     # One run without times leaves no spring to any: a common law must be tried on all of them.
     times = not amplitudes_only and all(isinstance(r, Observations) and r.has_times for r in runs)
     candidates = _candidates(laws, springs, times, known.unit in ANGLES)
@@ -184,7 +186,8 @@ def _one_run(
     if bound is not None:
         laws = relabelled([widened(law, bound) for law in laws], growing)
     # The advice fits again; where the limit is reached, the verdict is the same without it.
-    verdict = work.within(partial(verdict_of, laws, seen, growing), verdict_of(laws, seen, growing, advice=False))
+    plain = verdict_of(laws, seen, growing, advice=False)
+    verdict = plain if seen.spacing else work.within(partial(verdict_of, laws, seen, growing), plain)
     notes += [*_untried(laws), *_lengths(laws), *_memory(laws), *_mode(laws)]
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
@@ -199,7 +202,8 @@ def _one_run(
     odd = [law for law in laws if law.negative and law.verdict == "consistent" and not law.unneeded and not growing]
     notes += [f"{law.candidate}: the estimate of {', '.join(law.negative)} is negative: unphysical" for law in odd[:3]]
     answers = tuple(LawAnswer(law, _measured(units, law)) for law in sorted_laws(laws))
-    textbook: dict[str, Any] = work.within(lambda: textbook_estimates(seen), {})
+    # An envelope has no swings that a textbook's estimator could count.
+    textbook: dict[str, Any] = {} if seen.spacing else work.within(lambda: textbook_estimates(seen), {})
     return Identification(verdict, answers, (run,), textbook, tuple(notes), answers[0].units)
 
 

@@ -30,12 +30,14 @@ Without resolutions they are taken equal, as large as the best candidate needs: 
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq, nnls
 from scipy.stats import chi2
 
+from asymptotics.decays.identification.between_amplitudes import means
 from asymptotics.decays.identification.judging.grades import grade_of, in_words, off
 from asymptotics.decays.identification.measuring.criteria import aicc
 from asymptotics.equivalent.rows import cycle_of
@@ -56,13 +58,17 @@ _LOW = 53
 
 @dataclass(frozen=True)
 class Problem:
-    """What was measured, the candidates (exponents of each), and the oscillator: mass, stiffness and spring."""
+    """What was measured, the candidates (exponents of each), and the oscillator: mass, stiffness and spring.
+
+    ``between``: what was measured is a loss from one amplitude to another, and each place is a pair of them.
+    """
 
     quantity: str
     candidates: tuple[tuple[str, ...], ...]
     mass: Any = 1
     stiffness: Any = 1
     spring: Any = None
+    between: bool = False
 
 
 @dataclass(frozen=True, repr=False)
@@ -120,8 +126,10 @@ def as_zeta(quantity: str, values: Any, resolution: Any) -> tuple[Any, Any]:
     return values * factor, resolution * factor
 
 
-def columns(problem: Problem, alphas: Sequence[str], amplitudes: Sequence[float]) -> Any:
-    """z_i(A_j): zeta of a unit strength, one column an exponent."""
+def columns(problem: Problem, alphas: Sequence[str], amplitudes: Any, zeta: Any) -> Any:
+    """z_i(A_j): zeta of a unit strength, one column an exponent; of pairs of amplitudes the mean in between."""
+    if problem.between:
+        return means([partial(_unit, problem, alpha) for alpha in alphas], np.asarray(amplitudes), zeta)
     return np.array([[_unit(problem, alpha, a) for alpha in alphas] for a in amplitudes])
 
 
@@ -140,7 +148,7 @@ def _unit(problem: Problem, alpha: str, a: float) -> float:
 
 
 def fitted(
-    amplitudes: Sequence[float], values: Sequence[float], resolution: Sequence[float] | None, problem: Problem
+    amplitudes: Any, values: Sequence[float], resolution: Sequence[float] | None, problem: Problem
 ) -> tuple[DampingCandidate, ...]:
     """The candidates, best first: by grade, then without terms that are not needed, then by AICc.
 
@@ -153,7 +161,7 @@ def fitted(
 
 
 def weighted(
-    amplitudes: Sequence[float], values: Sequence[float], resolution: Sequence[float] | None, problem: Problem
+    amplitudes: Any, values: Sequence[float], resolution: Sequence[float] | None, problem: Problem
 ) -> tuple[Any, Any]:
     """zeta and its resolution; where none is given, all equal and as large as the best candidate needs."""
     known = np.ones(len(values)) if resolution is None else np.asarray(resolution, dtype=float)
@@ -161,23 +169,21 @@ def weighted(
     return zeta, np.full(len(zeta), _scatter(amplitudes, zeta, problem)) if resolution is None else s
 
 
-def _scatter(amplitudes: Sequence[float], zeta: Any, problem: Problem) -> float:
+def _scatter(amplitudes: Any, zeta: Any, problem: Problem) -> float:
     """The resolution that the best candidate needs to be just as far off as expected."""
     found = []
     for alphas in problem.candidates:
         free = len(zeta) - len(alphas)
         # A law with as many strengths as there are rows leaves nothing, and knows no scatter.
         if free > 0:
-            z = columns(problem, alphas, amplitudes)
+            z = columns(problem, alphas, amplitudes, zeta)
             found.append(nnls(z, zeta)[1] / np.sqrt(free))
     # A table without scatter, such as one that was computed, still needs a weight that is not infinite.
-    return max(float(min(found)), 1e-12 * float(np.abs(zeta).max()))
+    return max(float(min(found, default=0.0)), 1e-12 * float(np.abs(zeta).max()))
 
 
-def _candidate(
-    problem: Problem, alphas: tuple[str, ...], amplitudes: Sequence[float], zeta: Any, s: Any
-) -> DampingCandidate:
-    z = columns(problem, alphas, amplitudes)
+def _candidate(problem: Problem, alphas: tuple[str, ...], amplitudes: Any, zeta: Any, s: Any) -> DampingCandidate:
+    z = columns(problem, alphas, amplitudes, zeta)
     b, root = nnls(z / s[:, None], zeta / s)
     square, n, count = float(root**2), len(zeta), len(alphas)
     # Strengths at the bound 0 are counted as fitted, though they fit nothing: p is rather too small.

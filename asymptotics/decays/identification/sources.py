@@ -12,6 +12,7 @@ from asymptotics.decays.identification.measuring.extraction import observations_
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.mode_beside import with_mode_beside
 from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.measuring.ringdown import observations_of_envelope
 from asymptotics.decays.identification.measuring.sampled import LEAST_SAMPLES, observations_of_motion
 from asymptotics.decays.identification.measuring.second_mode import without_second_modes
 from asymptotics.decays.identification.measuring.sensors import sensor_notes
@@ -29,9 +30,17 @@ MAX_SWINGS = 1_000_000
 Run = Observations | Decrements
 
 
-def load(source: Any, kind: str | None = None, unit: str = "", how: How | None = None, modes: int = 1) -> list[Run]:
+def load(
+    source: Any,
+    kind: str | None = None,
+    unit: str = "",
+    how: How | None = None,
+    omega_0: float | None = None,
+    modes: int = 1,
+) -> list[Run]:
     """The runs of a source, one if its clock never starts again; InputError for what cannot be used.
 
+    ``omega_0``, in rad/s, is asked for where amplitudes alone are sampled and the file does not say their frequency;
     ``modes``: 2 for a second mode that is fitted beside the motion.
     """
     if modes > 1 and isinstance(source, Observations | Decrements):
@@ -42,11 +51,14 @@ def load(source: Any, kind: str | None = None, unit: str = "", how: How | None =
         return [source]
     table = read_table(source, kind, unit, how)
     try:
-        if modes > 1 and table.kind in ("decrement", "turning-points"):
+        if modes > 1 and table.kind in ("decrement", "turning-points", "envelope"):
             raise InputError("modes", f"{table.kind} show no second mode", "1, or the samples of a motion")
         if table.kind == "decrement":
             return [_decrements(table)]
-        found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole(), modes)
+        if table.kind == "envelope":
+            found: list[Observations] = [_ringdown(table.whole(), omega_0)]
+        else:
+            found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole(), modes)
         return [replace(run, time_unit=table.clock) for run in found]
     except InputError as error:
         # A column that was taken wrongly may be why: the refusal names it, and those that swing more.
@@ -100,6 +112,17 @@ def _decays(run: RecordTable, modes: int) -> list[Observations]:
     return found
 
 
+def _ringdown(table: RecordTable, omega_0: float | None) -> Observations:
+    """A sampled envelope, at the frequency that is said or that its file says."""
+    frequency = table.frequency if omega_0 is None else omega_0 / (2 * np.pi)
+    if frequency is None:
+        raise InputError("omega_0", f"{table.rows.name} is an envelope and says no frequency", "2 pi f in rad/s")
+    t, x, rows, notes = straightened(table.columns["t"], table.columns["x"], table.rows)
+    return observations_of_envelope(
+        t, x, frequency, relative=table.relative, unit=table.unit, name=rows.name, notes=(*table.notes, *notes)
+    )
+
+
 def _order(run: RecordTable) -> int:
     return ("record", "velocity", "acceleration").index(run.kind)
 
@@ -111,7 +134,7 @@ def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[s
     # Within each release: a line has its own phase and size in each of them.
     whole = t
     # What never changes has no period, which the search for a second mode asks for.
-    if len(x) and not np.ptp(x) > 0:
+    if len(x) > 1 and not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name}, column {'xva'[_order(run)]}: all values are {x[0]:g}", "a motion")
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)

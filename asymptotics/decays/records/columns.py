@@ -18,15 +18,23 @@ from dataclasses import dataclass
 from asymptotics.decays.records.units import ACCELERATIONS, SECONDS, SPEEDS, UNITS, suffix, without_run
 from asymptotics.errors import InputError, shown
 
-KINDS = ("record", "velocity", "acceleration", "turning-points", "decrement")
+KINDS = ("record", "velocity", "acceleration", "envelope", "turning-points", "decrement")
 COLUMNS = {
     "record": ("t", "x"),
     "velocity": ("t", "v"),
     "acceleration": ("t", "a"),
+    "envelope": ("t", "x"),
     "turning-points": ("n", "x"),
     "decrement": ("amplitude", "decrement"),
 }
-OPTIONAL = {"record": (), "velocity": (), "acceleration": (), "turning-points": ("tau",), "decrement": ("resolution",)}
+OPTIONAL = {
+    "record": (),
+    "velocity": (),
+    "acceleration": (),
+    "envelope": (),
+    "turning-points": ("tau",),
+    "decrement": ("resolution",),
+}
 
 _WORDS = {
     "time": "t time zeit tau temps tiempo tempo timestamp datetime x_value clock elapsed seconds sekunden",
@@ -67,8 +75,8 @@ def quantity(name: str) -> str:
 
     >>> [quantity(n) for n in ("Zeit t / s", "Gyroscope x (rad/s)", "angular velocity", "y (cm)", "Potential 1", "t_s")]
     ['time', 'velocity', 'velocity', 'position', '', 'time']
-    >>> [quantity(n) for n in ("Time A [s]", "Pos A", "Channel A", "a", "a_x", "mass_A: t")]
-    ['time', 'position', '', 'acceleration', 'acceleration', 'time']
+    >>> [quantity(n) for n in ("Time A [s]", "Pos A", "Channel A", "a", "a_x", "mass_A: t", "t_days")]
+    ['time', 'position', '', 'acceleration', 'acceleration', 'time', 'time']
     """
     unit = suffix(name)
     # What stands before a colon is the run or the point that was followed.
@@ -96,9 +104,9 @@ def quantity(name: str) -> str:
 
 
 def _is_letter_of(letter: str, words: Sequence[str]) -> bool:
-    """Whether a letter is the symbol of a quantity: beside a word, as in "Pos A" or "channel a", it is a label."""
+    """Whether a letter is the symbol of a quantity: behind a word, as in "Pos A" or "channel a", it is a label."""
     beside = [w for w in words if len(w) > 1]
-    return not beside or (letter not in "avnt" and not any(w in _MEANING for w in beside))
+    return not beside or letter == words[0] or (letter not in "avnt" and not any(w in _MEANING for w in beside))
 
 
 def _by_unit(unit: str) -> str:

@@ -1,13 +1,17 @@
 """Peaks of one side with their times (``t amplitude``): turning points 0, 2, 4, ... of a motion whose samples are gone.
 
 A column that is called amplitude or peak, all above 0, falling nearly always, at nearly even times, is no sampled
-swing: it is read as the maxima of one side, a period apart.  A peak that was missed leaves a gap in n.
+swing: it is read as the maxima of one side, a period apart.  A peak that was missed leaves a gap in n.  More rows than
+an eye or a tracker finds peaks, or rows further apart than the period that the file says, are a sampled envelope.
+Where the name says peak to peak, half of it is the amplitude.
 
 >>> t = np.array([0.0, 2.0, 4.1, 8.1, 10.0])
 >>> peaks_of_one_side("amplitude (cm)", t, np.exp(-0.1 * t))
 array([ 0.,  2.,  4.,  8., 10.])
->>> peaks_of_one_side("x (cm)", t, np.exp(-0.1 * t)) is None
-True
+>>> peaks_of_one_side("x (cm)", t, np.exp(-0.1 * t)) is None, is_envelope("amplitude (V)", t, np.exp(-0.1 * t), 1e4)
+(True, True)
+>>> is_double("peak-to-peak (cm)"), is_double("peak (cm)")
+(True, False)
 """
 
 import re
@@ -16,10 +20,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-_NAMES = re.compile(r"ampl|peak|maxim|max\b|scheitel|crest", re.IGNORECASE)
-_LEAST, _MOST, _FALLING, _EVEN = 5, 500, 0.8, 0.15
-"""Rows that are peaks: of fewer nothing is told, more are a sampled envelope; the share of steps that fall; and by how
-much of a period a peak may be off its place."""
+_NAMES = re.compile(r"ampl|peak|maxim|max\b|scheitel|crest|envelope|h(?:ue|\u00fc)llkurve|magnitude", re.IGNORECASE)
+_DOUBLE = re.compile(
+    r"peak[ _-]*(?:to|2)?[ _-]*peak|\bp-?p\b|pk-?pk|double[ _]ampl|crest[ _-]*to[ _-]*trough", re.IGNORECASE
+)
+_LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART = 5, 500, 0.8, 0.15, -0.9, 1.5
+"""Rows that are peaks: of fewer nothing is told, more are a sampled envelope; the share of steps that fall; by how much
+of a period a peak may be off its place; the correlation of an envelope with the time; and how many periods apart no
+peaks are."""
 
 
 def peaks_of_one_side(name: str, t: Array, x: Array) -> Array | None:
@@ -34,3 +42,24 @@ def peaks_of_one_side(name: str, t: Array, x: Array) -> Array | None:
     periods = steps / period
     near = (np.abs(periods - np.round(periods)) < _EVEN) & (np.round(periods) >= 1)
     return np.concatenate([[0.0], 2 * np.cumsum(np.round(periods))]) if near.all() else None
+
+
+def is_double(name: str) -> bool:
+    """Whether a column holds the distance from one side to the other, twice the amplitude."""
+    return bool(_DOUBLE.search(name))
+
+
+def is_envelope(name: str, t: Array, x: Array, frequency: float | None) -> bool:
+    """Whether amplitudes are samples of an envelope: too many for peaks, or further apart than the period."""
+    whole = np.isfinite(t) & np.isfinite(x)
+    if not _NAMES.search(name) or whole.sum() < _LEAST or not (x[whole] > 0).all():
+        return False
+    t, x = t[whole], x[whole]
+    first = int(np.argmax(x))
+    if len(x) - first < _LEAST:
+        return False
+    # Spearman's correlation: a decay falls, whatever its noise; a swing about a base line does not.
+    order = np.argsort(np.argsort(x[first:]))
+    falls = float(np.corrcoef(np.arange(len(order)), order)[0, 1]) < _FALLS
+    apart = frequency is not None and float(np.median(np.diff(t))) * frequency > _APART
+    return falls and (apart or len(x) > _MOST)

@@ -16,6 +16,7 @@ from asymptotics.decays.records.cells import is_stamp, number, seconds_of_stamp
 from asymptotics.decays.records.formats import FRAMES, SHEETS, frame_of, sheet_lines
 from asymptotics.decays.records.labview import with_clock
 from asymptotics.decays.records.layout import Layout, layout_of
+from asymptotics.decays.records.levels import frequency_in
 from asymptotics.decays.records.lines import is_comment
 from asymptotics.decays.records.rates import rate_in
 from asymptotics.decays.records.text import lines_of, unpacked
@@ -49,7 +50,7 @@ class How:
 @dataclass(frozen=True)
 class Source:
     """``headed``: whether the names stand in the file; ``read``: the columns at these places; ``sample``: some rows;
-    ``rate``: samples a second, where the file says it."""
+    ``rate``: samples a second, and ``frequency`` in Hz, where the file says them."""
 
     name: str
     names: tuple[str, ...]
@@ -58,6 +59,7 @@ class Source:
     sample: Callable[[Sequence[int]], dict[int, Array]]
     notes: tuple[str, ...] = ()
     rate: float | None = None
+    frequency: float | None = None
 
 
 def opened(source: Any, how: How) -> Source:
@@ -142,8 +144,9 @@ def _of_text(source: Path | bytes, name: str, how: How) -> Source:
 
     # A reading that another program would not share is told.
     told = [f"decimal comma, cells separated by {layout.separator!r}"] if layout.decimal == "," else []
+    above = head[: layout.start]
     told += ["a comma or point groups thousands"] if layout.thousands else []
-    return Source(name, names, bool(layout.header), read, sample, tuple(told), rate_in(head[: layout.start]))
+    return Source(name, names, bool(layout.header), read, sample, tuple(told), rate_in(above), frequency_in(above))
 
 
 def _layout(source: Path | bytes, name: str, how: How) -> tuple[list[str], Layout]:

@@ -22,7 +22,8 @@ from asymptotics.decays.records.cells import MARKS
 from asymptotics.decays.records.choosing import chosen, read_as
 from asymptotics.decays.records.clocked import clocked
 from asymptotics.decays.records.columns import KINDS, Choice
-from asymptotics.decays.records.peaks import peaks_of_one_side
+from asymptotics.decays.records.levels import amplitudes, is_logarithmic
+from asymptotics.decays.records.peaks import is_double, is_envelope, peaks_of_one_side
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.decays.records.units import GRAVITY, SECONDS, UNITS, seconds, standard, suffix, unit_of
@@ -39,7 +40,8 @@ _TOLERATED = 0.1
 class RecordTable:
     """Columns of equal length, by their names in the contract; ``unit``: of x; ``rows``: where they stand; ``clock``:
     the unit of time in the file (the times themselves are in s); ``read_as``: a sentence on the columns of a file that
-    has others too, for a refusal."""
+    has others too, for a refusal.  Of an envelope, ``frequency`` in Hz where the file says it, and whether the errors
+    are ``relative`` to the amplitudes, as those of levels are."""
 
     kind: str
     columns: dict[str, Array]
@@ -47,6 +49,8 @@ class RecordTable:
     rows: RowPlaces
     notes: tuple[str, ...] = ()
     clock: str = "s"
+    frequency: float | None = None
+    relative: bool = False
     read_as: Callable[[], str] = field(default=str, compare=False)
 
     def kept(self, keep: NDArray[np.bool_] | NDArray[np.intp], *notes: str) -> "RecordTable":
@@ -90,7 +94,32 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     # last.
     found = _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit, time)
     found = replace(found, read_as=lambda: read_as(given, choice))
-    return _as_peaks(found, given.names[choice.places["x"]]) if kind is None and found.kind == "record" else found
+    if found.kind not in ("record", "envelope") or (kind is not None and found.kind == "record"):
+        return found
+    return _as_amplitudes(found, given.names[choice.places["x"]], given.frequency)
+
+
+def _as_amplitudes(table: RecordTable, name: str, frequency: float | None) -> RecordTable:
+    """A sampled envelope, or peaks of one side; a sampled motion as it is."""
+    if is_double(name):
+        halved = {**table.columns, "x": table.columns["x"] / 2}
+        table = replace(table, columns=halved, notes=(*table.notes, f"{name!r}: amplitudes are half of it"))
+    t, x = table.columns["t"], table.columns["x"]
+    levels = table.kind == "envelope" or is_logarithmic(suffix(name))
+    if levels or is_envelope(name, t, x, frequency):
+        return _as_envelope(table, suffix(name), frequency)
+    return _as_peaks(table, name)
+
+
+def _as_envelope(table: RecordTable, unit: str, frequency: float | None) -> RecordTable:
+    """Levels or amplitudes at times, as the amplitudes of a ring-down."""
+    x, relative = amplitudes(table.columns["x"], unit), is_logarithmic(unit)
+    said = (f"amplitudes 10^(L/20) of the levels L in {unit}",) if relative else ()
+    notes = tuple(note for note in table.notes if not (relative and "strengths refer to" in note))
+    columns = {"t": table.columns["t"], "x": x}
+    return replace(
+        table, kind="envelope", columns=columns, notes=(*notes, *said), frequency=frequency, relative=relative
+    )
 
 
 def _as_peaks(table: RecordTable, name: str) -> RecordTable:

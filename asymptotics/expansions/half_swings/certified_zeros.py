@@ -57,8 +57,8 @@ from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.certified import MAX_SECONDS, quarter_swing
 from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.quarter import HalfSwing, half_swing
-from asymptotics.numbers.bridge import to_fmpq
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.series import Key, Series, unit_key
 
 

@@ -26,8 +26,8 @@ from flint import fmpq
 
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.grading import Grading, loss_degree
-from asymptotics.numbers.bridge import to_fmpq
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.series import Key, Series, unit_key
 from asymptotics.terms import Term
 

@@ -8,8 +8,8 @@
 from typing import Any
 
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
-from asymptotics.numbers.bridge import to_fraction
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
+from asymptotics.numbers.rationals import to_fraction
 from asymptotics.numbers.value import Coefficient
 
 

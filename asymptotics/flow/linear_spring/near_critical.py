@@ -26,7 +26,7 @@ from flint import arb
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear import is_linear
 from asymptotics.law import Law
-from asymptotics.numbers.context import ctx
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.running.budget import require_seconds
 
 # 2.5 times pi: shorter half-swings lose at most 12 bits.
@@ -42,6 +42,7 @@ _PARTS = 64  # of the time in which relative errors grow
 _TINY, _LARGE = 1e-15, 700.0  # what doubles tell from 0, and whose exponential they hold
 
 
+@lru_cache(maxsize=64)
 def longest_half_swing(law: Law) -> float:
     """About the longest half-swing under such a law, 0 where it is short, in closed form, or there is none."""
     # epsilon may be an exact number as near to 2 as 2 - 10^-500, and the time is pi over the root of what is left.

@@ -10,13 +10,12 @@ from operator import attrgetter
 
 from asymptotics.flow.turning import TurningState
 from asymptotics.numbers.context import ctx
-from asymptotics.return_map.half_swing_map import INTEGRATED
-from asymptotics.return_map.panels import ROUTE as INTERPOLATED
 from asymptotics.return_map.panels import panels_of
-from asymptotics.turning.enclosing import EnclosedMotion, bits_of, enclosed, in_words
+from asymptotics.turning.enclosing import EnclosedMotion, bits_of, enclosed
 from asymptotics.turning.jump import head_end, jumped_by_flow, planned, with_a_head
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
+from asymptotics.turning.routes.interpolated import mapped_in_words
 from asymptotics.turning.routes.stepping import require_moderate, swing_seconds
 from asymptotics.turning.table import Progress, Request
 
@@ -50,8 +49,8 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
 
         return with_a_head(request, plan.head, far)
 
-    way = f"{INTEGRATED}, {INTERPOLATED} and Abel function by the slow flow"
-    return enclosed(request, orbit, lambda bits: in_words(request, way, bits), bits_of(request), progress)
+    words = mapped_in_words(request, " and Abel function by the slow flow")
+    return enclosed(request, orbit, lambda bits: words, bits_of(request), progress)
 
 
 def _seconds(request: Request) -> float:

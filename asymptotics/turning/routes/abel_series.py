@@ -11,11 +11,11 @@ from asymptotics.costs import jump_seconds
 from asymptotics.flow.turning import TurningState
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.panels import panels_of
-from asymptotics.turning.enclosing import EnclosedMotion, bits_of, enclosed, in_words
-from asymptotics.turning.jump import head_of, jumped, with_a_head
+from asymptotics.turning.enclosing import EnclosedMotion, bits_of, enclosed
+from asymptotics.turning.jump import HEAD, head_of, jumped, with_a_head
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
-from asymptotics.turning.routes.interpolated import nodes_in_words
+from asymptotics.turning.routes.interpolated import mapped_in_words
 from asymptotics.turning.routes.stepping import require_moderate, swing_seconds
 from asymptotics.turning.table import Progress, Request
 
@@ -26,8 +26,8 @@ def serves(request: Request) -> float | None:
     if not law.is_pure or len(law.terms) > 1 or not law.alphas[0] > 1:
         return None
     bits = bits_of(request)
-    head = head_of(law.alphas[0], bits)
-    if request.start <= head:
+    # No head is shorter, and its length takes a majorant.
+    if request.start <= HEAD + bits or request.start <= (head := head_of(law.alphas[0], bits)):
         return None
     pieces = panels_of(law, bits).pieces(head)
     return swing_seconds(request, head + request.count, pieces) + jump_seconds(bits)
@@ -48,10 +48,9 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
 
         return with_a_head(request, head, far)
 
-    def method(bits: int) -> str:
-        return in_words(request, f"{nodes_in_words(request, bits)} and Abel function", bits)
-
-    return enclosed(request, orbit, method, bits_of(request), progress)
+    return enclosed(
+        request, orbit, lambda bits: mapped_in_words(request, " and Abel function"), bits_of(request), progress
+    )
 
 
 ROUTE = Route(

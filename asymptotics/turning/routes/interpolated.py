@@ -1,11 +1,12 @@
-"""Route "interpolated": powers of the velocity beside the linear spring, many half-swings.
+"""Route "interpolated": powers of the velocity beside the linear spring, by the return map of their exponents.
 
 The return map is interpolated in the amplitude (``return_map.panels``): the nodes cost as much as dozens of half-swings
-by pieces, or one collocation of the quarter-swing; each half-swing then takes some hundredths of a millisecond.  It
-serves where the local strengths are small enough for the majorant, and pays where the half-swings repay the nodes.
+by pieces, or one collocation of the quarter-swing; each half-swing then takes some hundredths of a millisecond, of any
+law with the same exponents.  It serves where the local strengths are small enough for the majorant, and is made where
+the half-swings repay the nodes; the others are followed by pieces.
 
 >>> from asymptotics.law import Law
->>> serves(Request.read(Law({"3/2": "1/5"}), 5, 30)) is None, serves(Request.read(Law({"3/2": "1/5"}), 5000, 30)) < 60
+>>> serves(Request.read(Law({"3/2": "1/5"}), 5, 30)) < 2, serves(Request.read(Law({"3/2": "1/5"}), 5000, 30)) < 60
 (True, True)
 """
 
@@ -13,8 +14,8 @@ from asymptotics.flow.linear_spring.near_critical import most_swings
 from asymptotics.flow.sequence import sequence
 from asymptotics.numbers.context import ctx
 from asymptotics.return_map.half_swing_map import INTEGRATED
+from asymptotics.return_map.half_swing_map import ROUTE as INTERPOLATED
 from asymptotics.return_map.panels import COLLOCATED, panels_of
-from asymptotics.return_map.panels import ROUTE as INTERPOLATED
 from asymptotics.return_map.sequence import Interpolated
 from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.result import TurningPoints
@@ -24,15 +25,13 @@ from asymptotics.turning.table import Progress, Request
 
 
 def serves(request: Request) -> float | None:
-    """The seconds, nodes included; None where panels do not pay from the amplitude 1 on, or a closed form beats them.
+    """The seconds with a new map, nodes included; None where a closed form beats it.
 
-    After a start in motion the amplitude is not known beforehand: there the panels themselves weigh what is left.
+    They do not depend on what was asked before, and neither do the words, whatever map is there already.
     """
     if not request.law.is_pure or panels_of(request.law, bits_of(request)).closed:
         return None
-    steps, pieces = _worth(request)
-    # pieces = steps: no panel pays, and ``stepping`` is the same without panels.
-    return swing_seconds(request, steps, pieces) if request.in_motion or 0 < pieces < steps else None
+    return swing_seconds(request, *_worth(request))
 
 
 def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
@@ -47,16 +46,18 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
             lambda first: sequence(Interpolated(damping, panels, request.last + 1), first),
         )
 
-    def method(bits: int) -> str:
-        return in_words(request, nodes_in_words(request, bits) if 0 < pieces < steps else INTEGRATED, bits)
-
-    return enclosed(request, orbit, method, bits_of(request), progress)
+    return enclosed(request, orbit, lambda bits: mapped_in_words(request), bits_of(request), progress)
 
 
-def nodes_in_words(request: Request, bits: int) -> str:
-    """The routes by name, those of the nodes as they were taken."""
-    collocated = any(panel.by == COLLOCATED for panel in panels_of(request.law, bits).made)
-    return ", ".join((INTEGRATED, *([COLLOCATED] if collocated else []), INTERPOLATED))
+def mapped_in_words(request: Request, then: str = "") -> str:
+    """How half-swings are found that a map may serve: the words are the same whichever of them it does.
+
+    The bits are those of the first attempt, as a map and the pieces may need more of them at different points.
+    """
+    bits = bits_of(request)
+    nodes = [COLLOCATED] if panels_of(request.law, bits).collocated else []
+    found = in_words(request, ", ".join((INTEGRATED, *nodes, INTERPOLATED)) + then, bits)
+    return found if request.in_motion else f"{found} or more"
 
 
 def _worth(request: Request) -> tuple[int, int]:
@@ -67,8 +68,8 @@ def _worth(request: Request) -> tuple[int, int]:
 
 ROUTE = Route(
     "interpolated",
-    "powers of the velocity beside the linear spring, with times, where many half-swings repay the nodes",
-    f"{INTERPOLATED} of the return map",
+    "powers of the velocity beside the linear spring, with times",
+    f"{INTERPOLATED} of the return map, {INTEGRATED} where no panel serves or pays",
     serves,
     points,
 )

@@ -68,3 +68,20 @@ def test_a_comparison_with_other_numbers_has_none():
     series = asy.compare({"alpha": [1], "M_(alpha+1)": [0.5]}, table="moments", alpha=1)
     with pytest.raises(InputError, match="neither turning points nor times"):
         series.certificate()
+
+
+@pytest.mark.parametrize(("x0", "v0"), [("1", "1/3"), ("-1/2", "-2"), ("0", "1")])
+def test_turning_points_of_a_start_in_motion_are_those_of_that_start(x0, v0):
+    """They were once those of a start at rest, called certified: the certificate found it out."""
+    osc = asy.Oscillator({2: "1/10"}, x0=x0, v0=v0, mass=2)
+    found = asy.compare({"n": [0, 1, 2], "x": [1, -0.8, 0.7], "t": [0, 3, 6]}, osc, digits=10)
+    points = asy.turning_points(osc, 3, digits=10, times=True).points
+    assert (right(found, "x"), right(found, "t")) == ([p.x for p in points], [p.t for p in points])
+    assert [c["x"] for c in claims_of(found)] == right(found, "x")
+
+
+def test_a_start_in_motion_that_never_turns_has_no_such_value():
+    found = asy.compare({"n": [0], "x": [1]}, asy.Oscillator({1: 3}, v0="-1/10"), digits=10)
+    assert [row.certified for row in found.rows] == [None] and "overdamped" in found.summary["ended"]
+    with pytest.raises(InputError, match="no value"):
+        found.certificate()

@@ -130,7 +130,7 @@ def test_columns_of_several_runs_are_asked_for_with_an_example_that_answers(tmp_
     rows = zip(t, np.exp(-0.02 * t) * np.cos(5 * t), t, np.exp(-0.02 * t) * np.cos(5 * t))
     head = "Run 1: Time (s),Run 1: Position (m),Run 2: Time (s),Run 2: Position (m)\n"
     path.write_text(head + "\n".join(",".join(f"{v:.6f}" for v in row) for row in rows))
-    with pytest.raises(InputError, match="--columns t=1,x=2"):
+    with pytest.raises(InputError, match="columns t=1,x=2"):
         asy.identify(str(path), laws=["1"])
     assert asy.identify(str(path), laws=["1"], columns="t=1,x=2").law("1").law.verdict == "consistent"
 

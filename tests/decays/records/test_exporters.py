@@ -246,7 +246,7 @@ def test_what_is_measured_is_found_or_asked_for(tmp_path):
     v = -3 * np.exp(-T / 20) * np.sin(3 * T) - X / 20
     path.write_text(names + "\n" + "".join(f"{t:.6f},{a:.9f},{0.8 * a:.9f}\n" for t, a in zip(T, v)))
     # Both axes carry the swing; beside one that is constant it is not asked (``test_main_axis``).
-    with pytest.raises(InputError, match=r"v may be any of 'Gyroscope x \(rad/s\)', 'Gyroscope y .*--columns t=1,v=2"):
+    with pytest.raises(InputError, match=r"v may be any of 'Gyroscope x \(rad/s\)', 'Gyroscope y .*columns t=1,v=2"):
         asy.identify(path, laws=["1"])
     answer = asy.identify(path, laws=["1"], columns="t=Time,v=Gyroscope x")
     assert answer.units.unit == "rad"
@@ -270,7 +270,7 @@ def test_a_labview_file_whose_header_has_no_step_of_time_is_refused(tmp_path):
     text = LAYOUTS["LabVIEW lvm without times"][0]
     for fault in (text.replace("Delta_X", "Delta"), text.replace("0.020000\nX_Dim", "soon\nX_Dim")):
         (tmp_path / "a.lvm").write_text(fault)
-        with pytest.raises(InputError, match="no rows of two numbers"):
+        with pytest.raises(InputError, match="one column, .*--rate HZ"):
             read_table(tmp_path / "a.lvm")
 
 

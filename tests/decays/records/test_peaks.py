@@ -25,8 +25,15 @@ def test_a_missed_peak_is_a_gap():
     assert table.kind == "turning-points" and table.columns["n"][:6].tolist() == [0, 2, 4, 6, 10, 12]
 
 
-def test_a_sampled_swing_and_an_envelope_of_many_samples_stay_records():
+def test_a_sampled_swing_stays_a_record_and_an_envelope_of_many_samples_is_one():
     t = np.arange(0, 60, 0.05)
     assert read_table({"t": t, "amplitude": np.exp(-0.05 * t) * np.cos(t)}).kind == "record"
-    assert read_table({"t": t, "amplitude": np.exp(-0.05 * t)}).kind == "record"
+    assert read_table({"t": t, "amplitude": 5 + np.exp(-0.05 * t) * np.cos(t)}).kind == "record"
+    assert read_table({"t": t, "amplitude": np.exp(-0.05 * t)}).kind == "envelope"
     assert read_table({"t": T, "amplitude": X}, kind="record").kind == "record"
+
+
+def test_peak_to_peak_is_halved():
+    answer = asy.identify({"t": T, "peak-to-peak (m)": 2 * (X + NOISE)}, laws=["1"], bootstrap=False)
+    assert abs(answer.runs[0].x[0]) < 1.01 and answer.law("1").law.epsilon[0].contains(0.02)
+    assert any("half of it" in note for note in answer.notes)

@@ -138,7 +138,7 @@ def test_a_long_sequence_loses_nothing_and_memory_stays_flat(pairs):
         with ctx.workprec(bits + GUARD):
             d = damping(pairs)
         with ctx.workprec(bits):
-            for here in sequence(Interpolated(d, Panels(law, bits), count), at_rest(arb(1))):
+            for here in sequence(Interpolated(d, Panels.alone(law, bits), count), at_rest(arb(1))):
                 if here.n == 100:  # the panel is made: watching is slow
                     tracemalloc.start()
                 if here.n == count // 2:

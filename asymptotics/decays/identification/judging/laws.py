@@ -63,9 +63,10 @@ class Fitted:
     def functions(self) -> list[Function]:
         """The strengths, and the exponent if it is free, as functions of the parameter vector of the fit."""
         assert self.fit is not None
-        reference, first = self.fit.model.reference, self.fit.model.law.start
-        found = [strength(self.candidate, i, reference, first) for i in range(self.terms)]
-        return [*found, coordinate(first + self.terms)] if self.candidate.free else found
+        model = self.fit.model
+        counted = model.seen.stride
+        found = [strength(self.candidate, i, model.reference, model.law.start, counted) for i in range(self.terms)]
+        return [*found, coordinate(model.law.start + self.terms)] if self.candidate.free else found
 
 
 @dataclass(frozen=True)
@@ -203,17 +204,19 @@ class Judged:
         return replace(self, evidence=replace(self.evidence, **found))  # type: ignore[arg-type]
 
 
-def strength(candidate: Candidate, index: int, reference: float, first: int = 1) -> Function:
-    """epsilon_i = s_i A_ref^(-w_i) as a function of the parameter vector, for x0 = 1 unit of the file.
+def strength(
+    candidate: Candidate, index: int, reference: float, first: int = 1, stride: float = 1.0
+) -> Function:  # fmt: skip
+    """epsilon_i = s_i A_ref^(-w_i)/stride as a function of the parameter vector, for x0 = 1 unit of the file.
 
-    ``first``: where the law begins in the vector.
+    ``first``: where the law begins in the vector; ``stride``: the half-swings that one n of an envelope counts.
     """
     if not (candidate.free and index == 0):
-        return coordinate(first + index, reference ** -candidate.elements[index].weight)
+        return coordinate(first + index, reference ** -candidate.elements[index].weight / stride)
     place = first + len(candidate.elements)
 
     def g(theta: Array) -> tuple[float, Array]:
-        factor = reference ** (1 - theta[place])
+        factor = reference ** (1 - theta[place]) / stride
         gradient = np.zeros(len(theta))
         gradient[first], gradient[place] = factor, -np.log(reference) * factor * theta[first]
         return float(theta[first] * factor), gradient

@@ -42,7 +42,8 @@ class Observations(Alike):
     ``sigma_passage``: standard errors known from elsewhere (empty: unknown); ``notes``: what was found and discarded
     on the way here; ``floor``: the error, as a share of the first amplitude and of 1/omega_0, that is there without
     noise too; ``samples``: the motion itself, where it is fitted and the turning points only start the fit;
-    ``time_unit``: that of the file, in which a period is told (empty: s), while ``t`` is in s.
+    ``time_unit``: that of the file, in which a period is told (empty: s), while ``t`` is in s; ``stride``: how many
+    true half-swings one n of an envelope counts, and ``spacing`` the time between two (``ringdown``).
     """
 
     n: Indices
@@ -59,6 +60,8 @@ class Observations(Alike):
     floor: float = 0.0
     samples: Samples | None = None
     time_unit: str = ""
+    stride: float = 1.0
+    spacing: float | None = None
 
     @classmethod
     def of(
@@ -93,6 +96,15 @@ class Observations(Alike):
             number - first, position, time, np.asarray(passage_n, dtype=np.intp) - first, crossing, s_x, s_t, s_p,
             unit, name, text, floor,
         )  # fmt: skip
+
+    def as_envelope(self, stride: float, spacing: float, notes: tuple[str, ...]) -> "Observations":
+        """The same numbers as an artificial clock of an envelope."""
+        return replace(self, stride=stride, spacing=spacing, notes=notes)
+
+    @property
+    def omega(self) -> float | None:
+        """The angular frequency of an envelope, in rad/s; None for turning points, whose times tell it."""
+        return None if self.spacing is None else np.pi * self.stride / self.spacing
 
     @property
     def sign(self) -> Array:
@@ -146,7 +158,7 @@ class Observations(Alike):
         # A stretch, not all that fits: a beat comes back into the range, and belongs to another decay.
         chosen = max(pieces, key=len)
         passages = np.isin(self.passage_n, self.n[chosen[:-1]])
-        return Observations.of(
+        found = Observations.of(
             self.n[chosen],
             self.x[chosen],
             self.t[chosen] if len(self.t) else (),
@@ -160,6 +172,7 @@ class Observations(Alike):
             name=self.name,
             notes=(*self.notes, f"{len(chosen)} turning points with amplitudes from {low:.4g} to {high:.4g}"),
         )
+        return replace(found, stride=self.stride, spacing=self.spacing)
 
     def without_times(self) -> "Observations":
         """The amplitudes alone."""

@@ -1,4 +1,4 @@
-"""Period, Q(A) and half-life of a record before any law: from the envelope, a smooth curve through its amplitudes.
+"""Period, Q(A), T(A) and half-life of a record before any law: from the envelope, a smooth curve through amplitudes.
 
 In a half-swing ln A falls by a sum of powers of A (from 1/A to A^2; which of them, by AICc), and Q = pi/2 over this
 fall, at the first amplitude, the last and the geometric mean of both, with 95 % intervals of the regression.  No law of
@@ -26,6 +26,7 @@ from asymptotics.decays.identification.fitting.starting import rest_position
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc
 from asymptotics.decays.identification.measuring.observations import Indices, Observations
+from asymptotics.decays.identification.telling.backbone import backbone
 from asymptotics.decays.records.units import SECONDS
 
 Ends = dict[str, float]
@@ -39,28 +40,45 @@ between an amplitude and half of it; and the AICc above the best up to which a c
 @dataclass(frozen=True)
 class Envelope:
     """``period`` and ``half_life`` (from the first amplitude) in the file's unit of ``time``, None without times;
-    ``quality``: Q at three amplitudes, in the ``unit`` of x."""
+    ``quality``: Q at three amplitudes, in the ``unit`` of x; ``backbone``: the period at them, of turning times."""
 
     period: Ends | None
     quality: tuple[Ends, ...]
     half_life: Ends | None
     unit: str = ""
     time: str = "s"
+    backbone: tuple[Ends, ...] = ()
 
     def to_dict(self, law_known: bool) -> dict[str, Any]:
         """JSON-ready: numbers are strings, an end without a limit is null."""
         return {
             "period": _texts(self.period), "quality": [_texts(q) for q in self.quality],
             "half_life": _texts(self.half_life), "time_unit": self.time, "law_known": law_known,
+            "backbone": [self._at(row) for row in self.backbone],
         }  # fmt: skip
+
+    def _at(self, row: Ends) -> dict[str, Any]:
+        """The period in the file's unit of time, and omega in rad/s, at an amplitude."""
+        period = {name: row[name] for name in _INVERTED}
+        omega = {name: 2 * pi / (SECONDS[self.time] * row[by]) for name, by in _INVERTED.items()}
+        return {"amplitude": f"{row['amplitude']:.6g}", "period": _texts(period), "omega": _texts(omega)}
+
+    @property
+    def chirps(self) -> bool:
+        """Whether the period at the first amplitude is another than at the last."""
+        first, last = (self.backbone[0], self.backbone[-1]) if self.backbone else ({}, {})
+        return bool(first) and (first["high"] < last["low"] or last["high"] < first["low"])
 
     def told(self) -> str:
         """One line: period, Q(A) and half-life with their intervals."""
         each = [f"{_span(q)} at {q['amplitude']:.3g} {self.unit}".rstrip() for q in self.quality]
         times = {"period": self.period, "half-life": self.half_life}
         period, life = (f"{k} {_span(v)} {self.time}" if v else "" for k, v in times.items())
+        shown = self.backbone[:: len(self.backbone) - 1] if self.chirps else ()
+        ends = [f"{_span(row, 5)} at {row['amplitude']:.3g} {self.unit}".rstrip() for row in shown]
+        chirp = f"T = {', '.join(ends)}" if ends else ""
         return "; ".join(
-            part for part in ("envelope, before any law: " + period, f"Q = {', '.join(each)}", life) if part
+            part for part in ("envelope, before any law: " + period, chirp, f"Q = {', '.join(each)}", life) if part
         )
 
 
@@ -72,26 +90,41 @@ def envelope(seen: Observations) -> Envelope | None:
     if len(n) < _LEAST or not (size > 0).all():
         return None
     scatter = float(np.mean(seen.sigma_x[inside])) if len(seen.sigma_x) else 0.0
-    decline = _decline(n, size, scatter)
+    # The errors of a level are proportional to it; those of a place are alike.
+    alike = 1.0 if seen.spacing is None or not len(seen.sigma_x) else seen.sigma_x[inside] / seen.sigma_x[0]
+    decline = _decline(n, size, scatter if seen.spacing is None else 0.0, alike)
     if decline is None:
         return None
     ends = np.array([size[0], np.sqrt(size[0] * size[-1]), size[-1]])
-    quality = tuple(_quality(float(a), decline(float(a))) for a in ends)
+    quality = tuple(_quality(float(a), decline(float(a)), seen.stride) for a in ends)
     period = _period(n, seen.t[inside]) if seen.has_times else None
-    life = None if period is None else _half_life(decline, size, period)
+    step = None if period is None else period["estimate"]
+    if seen.spacing is not None:  # an envelope: n is an artificial clock, and the true period is known
+        step = 2 * seen.spacing
+        period = dict.fromkeys(("low", "estimate", "high"), step / seen.stride)
+    life = None if step is None else _half_life(decline, size, step)
     time = seen.time_unit or "s"
     period, life = (v and {k: e / SECONDS[time] for k, e in v.items()} for v in (period, life))
-    return Envelope(period, quality, life, seen.unit, time)
+    return Envelope(period, quality, life, seen.unit, time, _backbone(seen, n, size, time))
 
 
-def _decline(n: Indices, size: Array, stated: float) -> Decline | None:
+def _backbone(seen: Observations, n: Indices, size: Array, time: str) -> tuple[Ends, ...]:
+    """T(A) in the file's unit of time, where there are turning times."""
+    if not seen.has_times:
+        return ()
+    error = float(np.mean(seen.sigma_t[seen.inside])) if len(seen.sigma_t) else 0.0
+    rows = backbone(n, size, seen.t[seen.inside], error)
+    return tuple({k: v if k == "amplitude" else v / SECONDS[time] for k, v in row.items()} for row in rows)
+
+
+def _decline(n: Indices, size: Array, stated: float, error: Array | float) -> Decline | None:
     """What ln A loses in a half-swing at an amplitude: the sum of powers of A that the criterion chooses."""
     gap = np.diff(n)
     # The geometric mean is the amplitude in the middle of a half-swing; sums forgive noise where differences would not.
     middle = np.sqrt(size[1:] * size[:-1]) / size[0]
     sums = {k: -np.concatenate([[0.0], np.cumsum(gap * middle**k)]) for k in _POWERS}
     sets = [c for count in range(1, len(_POWERS) + 1) for c in combinations(_POWERS, count)]
-    weight = size / size[0]  # the errors of the amplitudes are alike, those of their logarithms are not
+    weight = size / size[0] / error  # where the errors of the amplitudes are alike, those of their logarithms are not
     found = []
     for powers in sets:
         V = np.stack([np.ones(len(size)), *(sums[k] for k in powers)], axis=1) * weight[:, None]
@@ -132,9 +165,9 @@ class _Fall:
         return float(by @ self.coefficients), float(np.sqrt(by @ self.covariance @ by))
 
 
-def _quality(amplitude: float, fall: Ends) -> Ends:
-    """Q = pi/2 over the fall; without a limit where that may be 0."""
-    ends = {name: pi / 2 / fall[by] if fall[by] > 0 else inf for name, by in _INVERTED.items()}
+def _quality(amplitude: float, fall: Ends, stride: float) -> Ends:
+    """Q = pi/2 over the fall in a half-swing; without a limit where that may be 0."""
+    ends = {name: pi / 2 * stride / fall[by] if fall[by] > 0 else inf for name, by in _INVERTED.items()}
     return {"amplitude": amplitude, **ends}
 
 
@@ -146,20 +179,20 @@ def _period(n: Indices, t: Array) -> Ends:
     return {"low": middle - reach, "estimate": middle, "high": middle + reach}
 
 
-def _half_life(decline: Decline, size: Array, period: Ends) -> Ends | None:
+def _half_life(decline: Decline, size: Array, period: float) -> Ends:
     """The time in which ln A falls by ln 2; below the last amplitude as there."""
     grid = np.linspace(log(size[0] / 2), log(size[0]), _GRID)
     found = [decline(max(float(np.exp(s)), float(size.min()))) for s in grid]
     ends = {}
     for name, by in _INVERTED.items():
         rate = np.array([fall[by] for fall in found])
-        ends[name] = float(np.trapezoid(1 / rate, grid)) * period["estimate"] / 2 if (rate > 0).all() else inf
+        ends[name] = float(np.trapezoid(1 / rate, grid)) * period / 2 if (rate > 0).all() else inf
     return ends
 
 
-def _span(ends: Ends) -> str:
-    low, high = ("-" if not np.isfinite(ends[k]) else f"{ends[k]:.3g}" for k in ("low", "high"))
-    middle = f"{ends['estimate']:.3g}" if np.isfinite(ends["estimate"]) else "without limit"
+def _span(ends: Ends, digits: int = 3) -> str:
+    low, high = ("-" if not np.isfinite(ends[k]) else f"{ends[k]:.{digits}g}" for k in ("low", "high"))
+    middle = f"{ends['estimate']:.{digits}g}" if np.isfinite(ends["estimate"]) else "without limit"
     return middle if low == middle == high else f"{middle} [{low}, {high}]"
 
 

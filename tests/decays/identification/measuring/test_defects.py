@@ -104,3 +104,30 @@ def test_stamps_that_scatter_are_told_between_one_and_thirty_five_percent():
         assert any("time stamps scatter by" in note for note in sensor_notes(np.sort(stamps), x)) == told
     steps = sensor_notes(t, np.round(np.cos(t * 3) * 9) / 10)
     assert steps == ["values in steps of 0.1: at least 0.029 of noise (step/sqrt(12))"]
+
+
+def test_growth_and_rises_are_told_beyond_the_errors_of_both_ends():
+    """Five errors of both ends, six of two neighbours of one side; each with its own error."""
+    t, few = np.arange(6.0), np.full(6, 1e-3)
+    grown = lambda excess: shape_notes(t, t, np.array([1.0, -1, 1, -1, 1, -1 - excess]), few, 8.0)  # noqa: E731
+    assert grown(0.0099) == [] and grown(0.0101) == ["the amplitude grows: this is not a decay"]
+    sigma = np.array([1e-3, 1, 2e-3, 1, 3e-3, 1, 4e-3, 1, 5e-3])
+    size = np.ones(9)
+
+    def rises(first, second):
+        size[[2, 4, 6, 8]] = np.cumsum([first, -0.5, second, -0.5]) + 1.0
+        return [
+            note
+            for note in shape_notes(np.arange(9.0), size, size * (-1.0) ** np.arange(9), sigma, 8.0)
+            if "rises" in note
+        ]
+
+    said = ["the amplitude rises 2 times: a second mode, forcing, or an unquiet base"]
+    assert rises(0.0181, 0.0421) == said  # 6 (1 + 2)/1000 and 6 (3 + 4)/1000, and a millionth
+    assert rises(0.0179, 0.0421) == [] == rises(0.0181, 0.0419)
+
+
+def test_a_gap_of_a_fifth_of_a_period_is_told():
+    t = np.array([0.0, 1.0, 2.0, 4.0])
+    told = lambda period: shape_notes(t, t, np.array([1.0, -0.9]), np.zeros(2), period)  # noqa: E731
+    assert told(10.0) == [] and told(9.9) == ["the longest gap between samples is 2, 0.2 periods"]

@@ -84,3 +84,9 @@ def test_values_of_one_sign_are_amplitudes_and_it_is_said(side):
     assert seen.x.tolist() == [1.0, -0.8, -0.5] and seen.n.tolist() == [0, 1, 3]
     assert seen.notes == ("the values have one sign: read as amplitudes |x_n|",)
     assert Observations.of([0, 1], [1.0, -0.8]).notes == () and Observations.of([0], [-1.0]).x.tolist() == [-1.0]
+
+
+def test_whole_numbers_are_read_as_doubles():
+    seen = Observations.of((0, 1), (2, -1), (0, 3), sigma_x=(1, 1), passage_n=(0,), passage_t=(2,))
+    kinds = [v.dtype.kind for v in (seen.x, seen.t, seen.sigma_x, seen.passage_t, seen.n, seen.passage_n)]
+    assert kinds == ["f", "f", "f", "f", "i", "i"]

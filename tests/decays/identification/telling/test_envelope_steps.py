@@ -1,0 +1,178 @@
+"""Period, Q and half-life before any law: on decays whose fall is known, and each step by its own formula."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.stats import t as student
+
+from asymptotics.decays.identification.measuring.observations import Observations, Samples
+from asymptotics.decays.identification.telling import envelope as module
+from asymptotics.decays.identification.telling.envelope import Envelope, envelope
+
+N = np.arange(40)
+
+
+def seen(size, t=None, n=N, **more):
+    return Observations.of(n, (-1.0) ** n * size, () if t is None else t, **more)
+
+
+def noisy(size, noise, seed=1):
+    return size + noise * np.random.default_rng(seed).standard_normal(len(size))
+
+
+def ends(found):
+    return [found[k] for k in ("low", "estimate", "high")]
+
+
+@pytest.mark.parametrize(
+    ("size", "fall"),
+    [
+        (2 * np.exp(-0.04 * N), lambda A: 0.04 + 0 * A),
+        (2 / (1 + 0.05 * N), lambda A: np.log1p(0.025 * A)),
+        (2 - 0.03 * N, lambda A: -np.log(1 - 0.03 / A)),
+    ],
+)
+def test_q_is_half_pi_over_what_a_half_swing_takes(size, fall):
+    found = envelope(seen(size))
+    amplitudes = [size[0], np.sqrt(size[0] * size[-1]), size[-1]]
+    assert [q["amplitude"] for q in found.quality] == pytest.approx(amplitudes, rel=1e-4)
+    assert [q["estimate"] for q in found.quality] == pytest.approx([np.pi / 2 / fall(a) for a in amplitudes], rel=0.03)
+    assert found.period is None is found.half_life
+
+
+def test_intervals_cover_the_truth_and_no_more_than_they_must():
+    hits, count = 0, 60
+    for seed in range(count):
+        q = envelope(seen(noisy(2 * np.exp(-0.04 * N), 0.01, seed))).quality[1]
+        hits += q["low"] <= np.pi / 2 / 0.04 <= q["high"]
+    assert 0.93 <= hits / count <= 1.0
+    q = envelope(seen(noisy(2 * np.exp(-0.04 * N), 0.01))).quality[1]
+    assert 0.005 < (q["high"] - q["low"]) / q["estimate"] < 0.3
+
+
+def test_the_fall_of_one_power_is_that_of_weighted_least_squares(monkeypatch):
+    """A constant alone is tried: ln A = c - g n, weighted by the amplitudes; Student's quantile of what is left."""
+    monkeypatch.setattr(module, "_POWERS", (0,))
+    size = noisy(2 * np.exp(-0.04 * N), 0.01)
+    decline = module._decline(N, size, 0.0)
+    V = np.stack([np.ones(40), -N], axis=1) * (size / size[0])[:, None]
+    y = size / size[0] * np.log(size)
+    c = np.linalg.solve(V.T @ V, V.T @ y)
+    variance = ((y - V @ c) ** 2).sum() / 38 * np.linalg.inv(V.T @ V)[1, 1]
+    reach = student.ppf(0.975, 38) * np.sqrt(variance)
+    assert ends(decline(1.3)) == pytest.approx([c[1] - reach, c[1], c[1] + reach])
+    stated = module._decline(N, size, 0.5)  # what is stated counts where it is more than the scatter
+    wide = student.ppf(0.975, 38) * np.sqrt(np.linalg.inv(V.T @ V)[1, 1]) * 0.5 / size[0]
+    assert ends(stated(1.3)) == pytest.approx([c[1] - wide, c[1], c[1] + wide])
+
+
+def test_of_choices_that_are_nearly_as_good_the_widest_interval_counts(monkeypatch):
+    size = noisy(2 * np.exp(-0.04 * N), 0.01)
+    alone = {}
+    for powers in ((0,), (1,)):
+        monkeypatch.setattr(module, "_POWERS", powers)
+        alone[powers] = module._decline(N, size, 0.0)(1.3)
+    monkeypatch.setattr(module, "_POWERS", (0, 1))
+    both = module._decline(N, size, 0.0)(1.3)
+    assert both["low"] <= alone[(0,)]["low"] and both["high"] >= alone[(0,)]["high"]
+    assert both["low"] > alone[(1,)]["low"] or both["high"] < alone[(1,)]["high"]  # 1 alone is far from the best
+    monkeypatch.setattr(module, "_NEAR", 1e9)
+    every = module._decline(N, size, 0.0)(1.3)
+    assert every["low"] <= alone[(1,)]["low"] and every["high"] >= alone[(1,)]["high"]
+    assert every["estimate"] == both["estimate"]
+
+
+def test_powers_of_a_fall_are_powers_of_the_amplitude():
+    fall = module._Fall((-1, 2), np.array([0.3, 0.5]), np.array([[0.04, 0.01], [0.01, 0.09]]))
+    value, error = fall.at(2.0)
+    assert value == pytest.approx(0.3 / 2 + 0.5 * 4)
+    assert error == pytest.approx(np.sqrt(0.04 / 4 + 2 * 0.01 * 4 / 2 + 0.09 * 16))
+
+
+def test_a_gap_in_the_numbers_counts_as_its_half_swings():
+    kept = np.array([0, 1, 2, 5, 6, 9, 10, 11, 12, 15, 20, 21])
+    size = 2 * np.exp(-0.04 * kept)
+    assert envelope(seen(size, n=kept)).quality[0]["estimate"] == pytest.approx(np.pi / 2 / 0.04, rel=1e-3)
+
+
+def test_too_few_points_or_one_at_rest_have_no_envelope(monkeypatch):
+    size = 2 * np.exp(-0.04 * N)
+    assert envelope(seen(size[:4], n=N[:4])) is None and envelope(seen(size[:5], n=N[:5])) is not None
+    monkeypatch.setattr(module, "rest_position", lambda _: 0.0)
+    assert envelope(seen(np.where(N == 7, 0.0, size), np.arange(40.0))) is None
+
+
+def test_the_amplitudes_stand_about_the_rest_position():
+    size = 2 * np.exp(-0.04 * N)
+    run = seen(size)
+    moved = replace(run, x=run.x + 0.3)
+    assert envelope(moved).quality[0]["amplitude"] == pytest.approx(2.0, rel=1e-3)
+    assert envelope(moved).quality[0]["estimate"] == pytest.approx(np.pi / 2 / 0.04, rel=0.02)
+
+
+def test_of_samples_the_points_inside_count_about_their_own_line():
+    size = 2 * np.exp(-0.04 * N)
+    run = seen(size, 0.5 * N, sigma_x=np.full(40, 0.02))
+    samples = Samples(np.array([0.5, 18.0]), np.zeros(2), 0.1, 2.0)
+    found = envelope(replace(run, x=run.x + 0.0, samples=samples))
+    assert [q["amplitude"] for q in found.quality][::2] == pytest.approx([size[1], size[36]])
+    inside = module._covered(replace(run, samples=samples))
+    assert np.flatnonzero(inside).tolist() == list(range(1, 37))
+    edge = Samples(np.array([0.5 + 5e-10, 18.0]), np.zeros(2), 0.1, 2.0)
+    assert module._covered(replace(run, samples=edge))[1]
+
+
+def test_q_has_no_limit_where_the_fall_may_vanish():
+    found = module._quality(1.5, {"low": -0.01, "estimate": 0.02, "high": 0.05})
+    assert found == {"amplitude": 1.5, "low": np.pi / 2 / 0.05, "estimate": np.pi / 2 / 0.02, "high": np.inf}
+
+
+@pytest.mark.parametrize("count", [5, 30])
+def test_the_period_is_twice_the_slope_of_the_times(count):
+    n = N[:count]
+    t = 3.0 + 0.7 * n + 0.01 * np.random.default_rng(3).standard_normal(count)
+    V = np.stack([n, np.ones(count)], axis=1)
+    c = np.linalg.lstsq(V, t, rcond=None)[0]
+    s2 = ((t - V @ c) ** 2).sum() / (count - 2)
+    reach = 2 * student.ppf(0.975, count - 2) * np.sqrt(s2 * np.linalg.inv(V.T @ V)[0, 0])
+    assert ends(module._period(n, t)) == pytest.approx([2 * c[0] - reach, 2 * c[0], 2 * c[0] + reach])
+
+
+def test_of_four_times_the_period_has_no_error():
+    found = module._period(N[:4], np.array([0.0, 1.0, 2.1, 3.0]))
+    assert found["low"] == found["estimate"] == found["high"] == pytest.approx(2.02)
+
+
+@pytest.mark.parametrize("power", [-1, 0, 1, 2])
+def test_the_half_life_is_the_integral_of_the_inverse_fall(power):
+    """ln A falls by g A^k in half a period: the time from A to A/2 is the integral of dA/(g A^(k+1)) T/2."""
+    g, T, A = 0.04, 3.0, 2.0
+    decline = lambda a: {"low": g * a**power / 2, "estimate": g * a**power, "high": g * a**power * 2}  # noqa: E731
+    exact = np.log(2) / g if power == 0 else (1 / (A / 2) ** power - 1 / A**power) / (g * power)
+    found = module._half_life(decline, np.array([A, 0.9]), {"estimate": T})
+    assert ends(found) == pytest.approx([exact * T / 4, exact * T / 2, exact * T], rel=1e-4)
+
+
+def test_below_the_last_amplitude_the_fall_is_that_at_it_and_none_is_no_half_life():
+    decline = lambda a: {"low": -0.1, "estimate": 0.04 * a, "high": 0.05}  # noqa: E731
+    found = module._half_life(decline, np.array([2.0, 1.5]), {"estimate": 2.0})
+    exact = (1 / 1.5 - 1 / 2.0) / 0.04 + np.log(1.5) / (0.04 * 1.5)  # from 2 to 1.5 by the fall, to 1 at that of 1.5
+    assert found["estimate"] == pytest.approx(exact, rel=1e-3)
+    assert found["high"] == np.inf and found["low"] == pytest.approx(np.log(2) / 0.05)
+
+
+def test_a_whole_decay_has_its_period_and_its_half_life():
+    found = envelope(seen(2 * np.exp(-0.04 * N), 10 + 0.7 * N))
+    assert found.period["estimate"] == pytest.approx(1.4) and found.half_life["estimate"] == pytest.approx(
+        np.log(2) / 0.04 * 0.7, rel=1e-4
+    )
+
+
+def test_numbers_are_texts_and_what_has_no_limit_is_null():
+    ends_ = {"low": 1 / 3, "estimate": 1.0, "high": np.inf}
+    found = Envelope(None, ({"amplitude": 2.0, **ends_},), ends_).to_dict(True)
+    assert found == {
+        "period": None, "quality": [{"amplitude": "2", "low": "0.333333", "estimate": "1", "high": None}],
+        "half_life": {"low": "0.333333", "estimate": "1", "high": None}, "law_known": True,
+    }  # fmt: skip

@@ -1,0 +1,35 @@
+"""What a command loads: digits need no SymPy, mpmath or NumPy, each of which takes longer than the answer."""
+
+import subprocess
+import sys
+
+import pytest
+
+HEAVY = {"sympy", "mpmath", "numpy", "scipy", "matplotlib", "pandas"}
+_ASK = """
+import sys
+from asymptotics.shell.main import main
+code = main(sys.argv[1:])
+print(code, *sys.modules, file=sys.stderr)
+"""
+
+
+def loaded(*words):
+    """The heavy packages in a new process that has answered a command line."""
+    done = subprocess.run([sys.executable, "-c", _ASK, *words], capture_output=True, text=True, check=True)
+    code, *modules = done.stderr.split()
+    assert code == "0" and done.stdout
+    return HEAVY & set(modules)
+
+
+@pytest.mark.parametrize(
+    ("line", "needed"),
+    [
+        ("turning-points --alpha 2 --epsilon 1/10 --count 3", set()),
+        ("turning-points --alpha 3/2 --epsilon 1/10 --count 3 --times --json", set()),
+        ("moment --p 5/2", {"sympy", "mpmath"}),  # the closed form: what is loaded is seen
+        ("expand --alpha 3/2 --order 1", {"sympy", "mpmath"}),
+    ],
+)
+def test_a_command_loads_what_its_answer_needs(line, needed):
+    assert loaded(*line.split()) == needed
