@@ -141,7 +141,8 @@ def test_decrements_that_cannot_be_are_refused(rows, reason):
 
 def test_turning_points_keep_their_name_their_unit_their_times_and_what_was_told():
     table = RecordTable(
-        "turning-points", {"n": np.arange(5.0), "x": 0.9 ** np.arange(5.0) * (-1.0) ** np.arange(5), "tau": np.arange(5.0) * 2},
+        "turning-points",
+        {"n": np.arange(5.0), "x": 0.9 ** np.arange(5.0) * (-1.0) ** np.arange(5), "tau": np.arange(5.0) * 2},
         "mm", RowPlaces("file", np.arange(5) + 2), ("read",),
     )  # fmt: skip
     seen = sources._turning_points(table)
