@@ -5,13 +5,13 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from asymptotics.decays.identification.fitting.in_time import ALL
 
 from asymptotics.decays.identification import identify as module
 from asymptotics.decays.identification.fitting.least_squares import Noise
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
-from asymptotics.decays.identification.identify import identify
+from asymptotics.decays.identification.forward.work import ALL
+from asymptotics.decays.identification.identify import identified as identify
 from asymptotics.decays.identification.judging.laws import Fitted
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.telling.result import Identification, LawAnswer, RecordUnits
@@ -69,7 +69,7 @@ def test_a_run_is_fitted_judged_told_and_predicted(parts):
     found = one(parts, noise=noise, bootstrap=False)
     assert parts.given("fit_laws") == [((CANDIDATES, RUN, noise, ALL), {})]
     (((fits, levels), more),) = parts.given("judged")
-    assert levels == "levels" and more == {"growing": False, "bootstrap": False, "time": ALL}
+    assert levels == "levels" and more == {"growing": False, "bootstrap": False, "work": ALL}
     assert [str(f.candidate) for f in fits] == [str(c) for c in CANDIDATES]
     assert [more for _, more in parts.given("verdict_of")] == [{"advice": False}, {}]
     assert all(given[1:] == (RUN, False) for given, _ in parts.given("verdict_of"))

@@ -4,10 +4,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from asymptotics.decays.identification.fitting.in_time import Time
 
 from asymptotics.decays.identification.fitting.profile import Interval
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.forward.work import Work
 from asymptotics.decays.identification.judging import judgement
 from asymptotics.decays.identification.judging.contradiction import Contradiction
 from asymptotics.decays.identification.judging.judgement import judged
@@ -217,7 +217,7 @@ def test_of_few_laws_all_are_profiled_and_of_more_those_of_the_verdict(steps, co
 
 
 def test_a_law_whose_profile_has_no_time_is_untried(steps):
-    (found,) = judged([Fitted(read("1"), fit(1.0))], {}, time=Time(0.0))
+    (found,) = judged([Fitted(read("1"), fit(1.0))], {}, work=Work(deadline=0.0))
     assert steps.profiled == [] and found.fitted.reason == UNTRIED and found.fitted.fit is not None
 
 
