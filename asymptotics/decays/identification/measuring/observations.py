@@ -124,8 +124,8 @@ class Observations(Alike):
         if self.samples is None:
             return np.ones(len(self.n), dtype=bool)
         t = self.samples.t
-        # A sample further than the last one is not beyond what they tell.
-        near = float(np.median(np.diff(t)))
+        # A sample further than the last one, or a tenth of a half-swing, is not beyond what they tell.
+        near = min(float(np.median(np.diff(t))), 0.1 * float(np.median(np.diff(self.t))))
         return np.asarray((self.t >= t[0] - near) & (self.t <= t[-1] + near))
 
     @property
