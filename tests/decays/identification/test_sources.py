@@ -17,8 +17,9 @@ def decays(monkeypatch, parts, *, short=(), wild=()):
     """The releases of a record, of which some are too short; what was asked of each."""
     asked = []
 
-    def decay(t, x, run, rows, notes):
+    def decay(t, x, run, rows, notes, modes):
         del x, run
+        assert modes == 1
         asked.append((len(t), rows, notes))
         if len(asked) in short:
             raise InputError("FILE", f"{len(t)} samples", "more")
@@ -73,7 +74,7 @@ def test_spikes_are_gone_before_anything_else_is_asked_and_the_first_is_named(mo
 def test_a_clock_that_starts_again_begins_a_run(monkeypatch):
     t = np.concatenate([T, T])
     seen = []
-    monkeypatch.setattr(sources, "_decays", lambda run: seen.append(run) or [run])
+    monkeypatch.setattr(sources, "_decays", lambda run, modes: seen.append((run, modes)) or [run])
     runs = sources._motions(RecordTable("record", {"t": t, "x": np.cos(t)}, "m", RowPlaces("file", np.arange(202) + 2)))
     assert [r.rows.name for r in runs] == ["file (run 1)", "file (run 2)"]
     assert [r.notes[-1] for r in runs] == [
