@@ -8,10 +8,14 @@ Traceback (most recent call last):
 asymptotics.errors.InputError: argument law: its strengths are b in SI, and epsilon is meant (accepted: ...)
 """
 
+from collections.abc import Mapping
 from typing import Any
 
 from asymptotics.errors import InputError, shown
 from asymptotics.law import Law, Oscillator
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.policy import exact_number
+from asymptotics.terms import Term
 
 
 def oscillator_of(value: Any, spring: Any = None) -> Oscillator:
@@ -32,3 +36,13 @@ def require_oscillator(value: Any) -> Oscillator:
 def law_of(value: Any) -> Law:
     """The dimensionless law of a law, a mapping, or an oscillator."""
     return value.dimensionless if isinstance(value, Oscillator) else Law.read(value)
+
+
+def one_exponent(law: Any) -> tuple[ExactReal | None, Oscillator | None]:
+    """The one exponent, None if it is a symbol, and the oscillator if there is a strength; InputError else."""
+    if isinstance(law, str) and law.strip() == "symbolic":
+        return None, None
+    if not isinstance(law, Law | Oscillator | Mapping):
+        return Term(1, exact_number(law, "alpha")).velocity, None
+    oscillator = oscillator_of(law)
+    return oscillator.law.terms[0].velocity, oscillator

@@ -24,7 +24,7 @@ from asymptotics.decays.comparison.cells import Cells, cells_so_far, compared_ce
 from asymptotics.decays.comparison.reading import rows_of_file
 from asymptotics.decays.comparison.run import GUARD, LEAST_DIGITS, Comparison
 from asymptotics.errors import InputError, shown
-from asymptotics.present.double_errors import stated_errors
+from asymptotics.numbers.double_words import stated_errors
 from asymptotics.present.inputs import stated_words
 from asymptotics.running.cut_short import changed
 from asymptotics.sweeps.export import flat

@@ -96,7 +96,7 @@ def read_oscillator(
         raise InputError("--epsilon", "is missing", "--epsilon E, without units; or --damping B in N (s/m)^alpha")
     # Under the name by which it was given, or would have to be given: an error names that option.
     law = read_law(options, "epsilon" if named else "damping" if si else strength)
-    numbers: dict[str, Any] = {name: parse_real(getattr(options, name), f"--{name}") for name in given}
+    numbers: dict[str, Any] = {name: exact_number(getattr(options, name), f"--{name}") for name in given}
     oscillator = Oscillator(law, **numbers)
     return Given(_with_epsilon(oscillator) if named and si else oscillator, si)
 

@@ -15,8 +15,8 @@ from asymptotics.curves.double_errors import of_envelope
 from asymptotics.curves.large import SpringEnvelope
 from asymptotics.curves.slow import Envelope
 from asymptotics.envelopes.symbolic import SQUARING
+from asymptotics.numbers.double_words import with_errors
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.present.double_errors import with_errors
 from asymptotics.present.inputs import csv_text
 
 Curve = Envelope | SpringEnvelope

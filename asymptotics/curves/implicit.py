@@ -8,7 +8,7 @@ losses have tau(A) closed (logarithms, arctangents, or 2F1: ``envelopes.hypergeo
 
 >>> two = implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 2)
 >>> two.time_of_amplitude, two.formulas.time_of_amplitude
-(Integral(1/(u*(2*u/(15*pi) + 1/20)), (u, A, 1)), Integral(6/(u*(3*epsilon_0 + 8*epsilon_1*u/pi)), (u, A, 1)))
+(Integral(60/(u*(4*u/pi + 3)), (u, A, 1)), Integral(6/(u*(3*epsilon_0 + 8*epsilon_1*u/pi)), (u, A, 1)))
 >>> implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 1).formulas.time_of_amplitude
 2*log(1 + 3*pi*epsilon_0/(8*A*epsilon_1))/epsilon_0 - 2*log(3*pi*epsilon_0/(8*epsilon_1) + 1)/epsilon_0
 >>> two.at(7, digits=8).x
@@ -137,7 +137,7 @@ class ImplicitSolution(ProvedCurve):
         found = self._motion.sample(times_of(times))
         return found.amplitude, found.phase, found.x
 
-    def double_errors(self, times: Any) -> tuple[Any, Any, Any]:
+    def _double_errors(self, times: Any) -> tuple[Any, Any, Any]:
         """How far the doubles of ``sample`` are from the truncated equations: estimates."""
         found = self._motion.double_errors(times)
         return found["amplitude"], found["phase"], found["x"]

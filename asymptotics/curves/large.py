@@ -176,7 +176,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         """x, v, A, phi at many times in s: doubles."""
         return self._sampled(t, halved=False)
 
-    def double_errors(self, t: Array) -> tuple[Array, Array]:
+    def _double_errors(self, t: Array) -> tuple[Array, Array]:
         """How far the doubles of A and phi are from the slow flow, by half the knots of their table; estimates."""
         found, coarse, earlier = self.sample(t), self._sampled(t, halved=True), self.sample(np.asarray(t) * (1 - STEP))
         A, phi = (

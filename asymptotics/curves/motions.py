@@ -49,8 +49,7 @@ Array = Any
 DIGITS, MAX_EVENTS, MAX_SECONDS = 15, 10_000, 120
 # Points of a drawing: an expansion costs microseconds a point, a reference a certified step or more.
 POINTS, ERROR_POINTS, REFERENCE_POINTS = 4001, 241, 401
-# Two zeros of x, or of v, are about half a turn apart unless damping is strong: in a cell of a sixteenth of it two are
-# not expected, and a pair in one cell would be missed.  The docstring of ``Events`` says so: heuristic.
+# Two zeros are about half a turn apart unless damping is strong: a pair in one cell of a sixteenth would be missed.
 _PER_HALF_SWING = 16
 
 
@@ -143,10 +142,6 @@ class Motion(Drawn):
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
         return replace(self._motion.sample(times_of(t)), si=self.si)
-
-    def double_errors(self, t: Array) -> dict[str, Array]:
-        """How far the doubles of ``sample`` are from the expansion, by the names of its columns; estimates."""
-        return self._motion.double_errors(t)
 
     @public
     def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:

@@ -10,9 +10,11 @@ import re
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+import mpmath
 import sympy
 from sympy import Add, Eq, Expr, Integer, latex
 
+from asymptotics.numbers.decimal_context import workdps
 from asymptotics.present.shown import Page, Shown, fields_of
 
 # Layout alone.  Six terms fill a line of LaTeX in landscape; through order 4 the text of x is short enough to have
@@ -39,6 +41,12 @@ class SolutionPoint(Shown, _Numbers):
 
     def _formula(self) -> str:
         return rf"A = {self.amplitude},\quad \phi = {self.phase},\quad x = {self.x}"
+
+
+def rounded_point(size: Any, lag: Any, x: Any, digits: int) -> SolutionPoint:
+    """A, phi and x as decimals of so many digits."""
+    with workdps(digits + 15):
+        return SolutionPoint(*(mpmath.nstr(v, digits, strip_zeros=False) if v else "0" for v in (size, lag, x)))
 
 
 def text_of(s: Any) -> str:

@@ -223,14 +223,14 @@ class Envelope(SlowNumbers, Drawn):
         # From the extinction on there is no amplitude, and a phase of nothing is NaN, not the last value.
         return np.where(self.amplitudes(t) > 0, phi, np.nan)
 
-    def phase_errors(self, t: ArrayLike) -> Any:
+    def _phase_errors(self, t: ArrayLike) -> Any:
         """How far the doubles of ``phases`` are from the averaged law, rad: estimates; NaN where there is no phase."""
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
         motion, rate = self._turning
         return motion.double_errors(np.asarray(times_of(t)) * rate)["phase"]
 
-    def roundings(self, A: Any) -> float:
+    def _roundings(self, A: Any) -> float:
         """How often the doubles of ``amplitudes`` are rounded, down to the least of an array of them."""
         start = np.max(A, initial=0.0)
         return self._law.numeric().roundings(float(np.min(A[A > 0], initial=start)) / start if start else 1.0)

@@ -37,8 +37,7 @@ from typing import Any
 
 import mpmath
 import sympy
-from flint import fmpq
-from sympy import Add, Eq, Expr, Function, Integer, Integral, Piecewise, Pow, Symbol, cos, exp, floor, pi
+from sympy import Add, Eq, Expr, Function, Integer, Piecewise, Pow, Symbol, cos, exp, floor, pi
 
 from asymptotics.bounds.explicit import explicit_bound
 from asymptotics.bounds.motion import proved_bound
@@ -48,17 +47,22 @@ from asymptotics.curves.evaluated import chi, delta, digits_of_turns, functions,
 from asymptotics.curves.implicit import ImplicitSolution, implicit_solution
 from asymptotics.curves.motions import times_of
 from asymptotics.curves.proved_curve import ProvedCurve
-from asymptotics.curves.shown_solution import SolutionPoint, document, latex_lines, text_of, text_of_x, x_by_name
+from asymptotics.curves.shown_solution import (
+    SolutionPoint,
+    document,
+    latex_lines,
+    rounded_point,
+    text_of,
+    text_of_x,
+    x_by_name,
+)
+from asymptotics.curves.slow_formulas import closed_wave, slow_formulas
 from asymptotics.curves.started import DIGITS, start_in_motion
 from asymptotics.curves.waves import Waveforms, waveforms
-from asymptotics.envelopes.named_slow_time import named_slow_time
 from asymptotics.envelopes.slow_time import (
     D,
-    certified_slow_time,
     epsilon,
-    expressions,
     leading_amplitude,
-    slow_time,
 )
 from asymptotics.errors import InputError, require_choice, require_flag
 from asymptotics.expansions.half_swings.symbolic import alpha as symbolic_alpha
@@ -68,26 +72,21 @@ from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Law, LawLike, Oscillator, of_unit_start
-from asymptotics.law_given import oscillator_of, require_oscillator
+from asymptotics.law_given import one_exponent, oscillator_of, require_oscillator
 from asymptotics.motions.certify import time_of
 from asymptotics.numbers.bridge import expression, to_sympy
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.decimals import bits_for
-from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import Number, exact_double, exact_integer, exact_number, require_one
+from asymptotics.numbers.policy import Number, exact_double, exact_integer, require_one
 from asymptotics.present.shown import Page
 from asymptotics.running.budget import seconds_left
 from asymptotics.running.public import public
-from asymptotics.series import Key, Series
-from asymptotics.terms import Term
 
 # Limits of what is offered: 12 is the order through which open hierarchies go, 300 digits what ``motion`` serves too.
 MAX_ORDER, MAX_DIGITS = 12, 300
 # With the turns of a phase, of which ``evaluated`` takes so many decimals at most.
 MAX_REFINED = 3000
-CLOSED_ORDER = 4
-"""Through which a symbolic exponent has its rates written out; beyond, p_k and Omega_k stand by name."""
 UNITS = ("epsilon", "kappa", "SI")
 A_0, A, a_0, epsilon_0 = sympy.symbols("A_0 A a_0 epsilon_0", positive=True)
 phi_0 = Symbol("phi_0", real=True)
@@ -142,10 +141,7 @@ class Solution(ProvedCurve):
 
     @cached_property
     def amplitude(self) -> Expr:
-        """A in tau, and in epsilon where no strength was given or it is ``symbolic``; 1 at a start at rest.
-
-        A start in motion has ``letters`` where it is symbolic.
-        """
+        """A in tau, and in epsilon and ``letters`` where no strength was given or it is ``symbolic``; 1 from rest."""
         # D, not tau, is the variable of the series: A_0 and D hold all of the dependence on time.
         A_0, slow = self.leading
         found = A_0 * self.relative.subs(D, slow)
@@ -206,8 +202,7 @@ class Solution(ProvedCurve):
 
     @property
     def valid_until(self) -> Expr:
-        """tau until which delta < 1 can be hoped for: infinity for alpha >= 1, else where A_0 makes delta = 1; in the
-        letters of ``amplitude``."""
+        """tau until which delta < 1 can be hoped for: infinity for alpha >= 1, else where A_0 makes delta = 1."""
         if self.alpha.is_number and bool(self.alpha >= 1):
             return sympy.oo
         # Below 1 delta = epsilon D grows as A falls: epsilon D = 1 solved for tau.  It is no bound, the letter of the
@@ -263,7 +258,7 @@ class Solution(ProvedCurve):
         """
         require_one(time, "time", "sample(times)")
         number, D = to_sympy(time_of(time)), exact_integer(digits, "digits", 1, MAX_DIGITS)
-        return _rounded(*numbers(self, number, D), D)
+        return rounded_point(*numbers(self, number, D), D)
 
     @public
     def refined(self, digits: int, *, max_seconds: Number = 60) -> "Solution":
@@ -274,7 +269,7 @@ class Solution(ProvedCurve):
             return self
         # Fifteen digits more than are shown, as ``evaluated.numbers`` works with, and never fewer than the form at hand
         # has.
-        relative, phase = _slow(self.scales, self.alpha, self.order, max(digits + 15, DIGITS + 1))
+        relative, phase = slow_formulas(self.scales, self.alpha, self.order, max(digits + 15, DIGITS + 1))
         start = self.start
         if start is not None:
             start = start_in_motion(self._given(), self.scales, digits=digits + 15)
@@ -309,7 +304,7 @@ class Solution(ProvedCurve):
             unit = mpmath.mpf(length.str(known, radius=False))
             # The formulas are of a start at rest at +1; a start in motion has its side in phi(0) already.
             turned = -x if oscillator.x0 < 0 and oscillator.v0.is_zero else x
-            return _rounded(size * unit, lag, turned * unit, digits)
+            return rounded_point(size * unit, lag, turned * unit, digits)
 
     @public
     def bound(self, time: Number, *, digits: Any = 30, max_seconds: Number = 60) -> str:
@@ -393,60 +388,13 @@ def solution(
         # reversed.
         if len(oscillator.law.terms) > 1 or not oscillator.law.is_pure:
             return replace(implicit_solution(oscillator, N), si=isinstance(law, Oscillator), symbolic=symbolic)
-    exponent, given = _exponent(law)
+    exponent, given = one_exponent(law)
     scales = multiple_scales("symbolic" if exponent is None else exponent, order=N, gauge=TURNING_POINT)
     alpha = symbolic_alpha if exponent is None else to_sympy(exponent)
     p_1 = -scales.rates[1][0].subs(a, 1)
-    relative, phase = _slow(scales, alpha, N, DIGITS)
+    relative, phase = slow_formulas(scales, alpha, N, DIGITS)
     # Rates of order N act over times 1/epsilon and count like epsilon^(N-1), as the last waveform that is kept does.
-    waves = tuple(_closed_wave(scales, n) for n in range(1, N))
+    waves = tuple(closed_wave(scales, n) for n in range(1, N))
     start = None if given is None or given.v0.is_zero else start_in_motion(given, scales)
     si = isinstance(law, Oscillator)
     return Solution(alpha, N, p_1, relative, phase, waves, scales, given, scales.notes, start, si, symbolic)
-
-
-def _exponent(law: Any) -> tuple[ExactReal | None, Oscillator | None]:
-    """The one exponent, None if it is a symbol, and the oscillator if there is a strength; InputError else."""
-    if isinstance(law, str) and law.strip() == "symbolic":
-        return None, None
-    if not isinstance(law, Law | Oscillator | Mapping):
-        return Term(1, exact_number(law, "alpha")).velocity, None
-    oscillator = oscillator_of(law)
-    return oscillator.law.terms[0].velocity, oscillator
-
-
-def _slow(scales: MultipleScales, alpha: Expr, order: int, digits: int) -> tuple[Expr, Expr]:
-    """A/A_0 and phi in D and epsilon; at alpha = 1 in tau and epsilon.  ``digits`` of the rates that do not close."""
-    kernel = scales.kernel
-    # From what is shortest to what is general: letters for a symbol, the exponential decay of the linear law (which
-    # divides by no alpha - 1), exact polynomials, and closed forms continued by decimals.
-    if not alpha.is_number and order > CLOSED_ORDER:
-        return named_slow_time(alpha, order)
-    if alpha == 1:
-        return Integer(1), Add(*[epsilon**n * g * tau for n, (_, g) in enumerate(scales.rates) if n])
-    if isinstance(kernel, TurningHierarchy):
-        return expressions(slow_time(fmpq(int(alpha)), kernel.p, kernel.Omega))
-    rates = list(enumerate(scales.rates))[1:]
-    p: dict[Key, Expr] = {(n,): -f.subs(a, 1) for n, (f, _) in rates if f != 0}
-    Omega: dict[Key, Expr] = {(n,): g.subs(a, 1) for n, (_, g) in rates if g != 0}
-    # The first rate that is a decimal ends the exact part: rates through ``closed`` fix A and phi through
-    # epsilon^(closed-1), and the balls give what comes after, so no order is counted twice.
-    numbers = [n for row in (p, Omega) for (n,), c in row.items() if c.has(sympy.Float)]
-    closed = min([*numbers, order + 1]) - 1
-    exact = slow_time(alpha, *(Series(row, 1, order).truncate(closed) for row in (p, Omega)))
-    if not numbers:
-        return expressions(exact)
-    decimals = certified_slow_time(exact_number(alpha, "alpha"), order, digits, above=closed - 1)
-    relative, phase = (e + rest for e, rest in zip(expressions(exact), decimals))
-    return relative, phase
-
-
-def _closed_wave(scales: MultipleScales, n: int) -> Expr | None:
-    """x_n(psi), or None where it is an open integral."""
-    found = scales.orders[n].solution
-    return None if found is None or found.rhs.has(Integral) else found.rhs.subs(a, 1)
-
-
-def _rounded(size: Any, lag: Any, x: Any, digits: int) -> SolutionPoint:
-    with workdps(digits + 15):
-        return SolutionPoint(*(mpmath.nstr(v, digits, strip_zeros=False) if v else "0" for v in (size, lag, x)))

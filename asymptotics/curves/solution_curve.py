@@ -21,6 +21,7 @@ class SolutionCurve(Drawn):
     order: int
     si: bool
 
+    @public
     def sample(self, times: Any, *, max_seconds: Number = 60) -> tuple[Array, Array, Array]:
         """(A, phi, x) at an array of tau."""
         raise NotImplementedError

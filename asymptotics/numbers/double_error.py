@@ -10,7 +10,7 @@ and it is the distance of the doubles from what they stand for, such as an avera
 >>> error, error.allows(value + Fraction("1e-15"), value), error.allows(value + Fraction("1.1e-15"), value)
 (relative 4.2e-15, True, False)
 >>> of_column([1.0, 0.0, -0.25], [3e-15, 1e-15, 1e-15])
-absolute 3.2e-15
+absolute 3.1e-15
 """
 
 from dataclasses import dataclass

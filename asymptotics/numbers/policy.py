@@ -26,6 +26,7 @@ from flint import fmpq, fmpz
 
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_rational, parse_real
+from asymptotics.numbers.quantities import in_si, magnitude
 
 if TYPE_CHECKING:
     import sympy
@@ -91,7 +92,14 @@ def _read(value: Any, argument: str) -> ExactReal:
     if isinstance(value, ExactReal):
         return value
     if isinstance(value, str):
-        return parse_real(value, argument)
+        known = in_si(value, argument) if len(value) <= 100 else None
+        return parse_real(value, argument) if known is None else ExactReal(known)
+    if hasattr(value, "magnitude") and hasattr(value, "to"):
+        number = magnitude(value, argument)
+        if number is None:
+            said = "a quantity with a unit, which is no part of this number"
+            raise InputError(argument, said, "its magnitude in the unit that is asked for")
+        return _read(number, argument)
     # Before the integers, among which Python counts True and False.
     if isinstance(value, bool):
         raise InputError(argument, f"{value} is a bool, not a number", REAL_FORMS)

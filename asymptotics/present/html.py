@@ -5,7 +5,7 @@ Mathematics is typeset: that of a line by signs and raised and lowered letters, 
 >>> block("x < 1", ["certified"], ("n", "x"), [("0", "1")])
 '<div><p><strong>x &lt; 1</strong></p><p>certified</p><table><thead><tr><th>n</th><th>x</th></tr></thead>...</div>'
 >>> block("a**2 <= epsilon_0", (), ("", ""), [("printed", Tex(r"\frac{1}{2}"))])
-'<div><p><strong>a<sup>2</sup> ≤ ε<sub>0</sub></strong></p>...<math...<mfrac>...</math>...</div>'
+'<div><p><strong>a<sup>2</sup> &le; &epsilon;<sub>0</sub></strong></p>...<math...<mfrac>...</math>...</div>'
 """
 
 from base64 import b64encode

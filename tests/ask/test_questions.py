@@ -91,7 +91,8 @@ def test_the_schema_is_that_of_the_options(capsys, name):
 
 
 @pytest.mark.parametrize(("name", "option"), SCALARS)
-def test_a_hostile_text_is_refused_by_the_name_of_its_option_or_answered(capsys, name, option):
+def test_a_hostile_text_is_refused_by_the_name_of_its_option_or_answered(capsys, tmp_path, monkeypatch, name, option):
+    monkeypatch.chdir(tmp_path)  # a store of any name is made
     for text in HOSTILE:
         code, out, err = run(capsys, name, *shlex.split(CHEAP[name]), f"--{option.name}={text}", "--max-seconds", "2")
         assert code in (0, 1, 2), (name, text, err)
@@ -150,7 +151,7 @@ def test_the_axes_of_a_sweep_are_the_parameters(name):
             read_axes(name, [f"--{option.name}=1"])
 
 
-def test_a_kind_that_does_not_refuse_is_noticed(capsys, monkeypatch):
+def test_a_kind_that_does_not_refuse_is_noticed(capsys, tmp_path, monkeypatch):
     """Near misses: a reader that takes anything, and one that names nothing, are seen by the walks above."""
     question = loaded("stokes")
     deaf = replace(question["alpha"], kind=replace(REAL, read=lambda value, name: value))
@@ -158,7 +159,9 @@ def test_a_kind_that_does_not_refuse_is_noticed(capsys, monkeypatch):
         "asymptotics.shell.asked.loaded", lambda name: replace(question, asked=(deaf, *question.asked[1:]))
     )
     with pytest.raises(AssertionError):
-        test_a_hostile_text_is_refused_by_the_name_of_its_option_or_answered(capsys, "stokes", deaf.option)
+        test_a_hostile_text_is_refused_by_the_name_of_its_option_or_answered(
+            capsys, tmp_path, monkeypatch, "stokes", deaf.option
+        )
     assert whole(1, 9).read("4", "n") == 4
 
 

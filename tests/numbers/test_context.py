@@ -187,7 +187,7 @@ FOLDERS = ("asymptotics", "derivations", "paper_checks", "benchmarks")
 DOOR = {"asymptotics/numbers/context.py", "asymptotics/numbers/decimal_context.py"}
 LOOKED_UP = {  # caches of what no precision enters: files, parsers, numbers of doubles
     "asymptotics/made_by.py", "asymptotics/ask/typed.py", "asymptotics/papers/lookup.py",
-    "asymptotics/papers/derived.py",
+    "asymptotics/papers/derived.py", "asymptotics/papers/documented.py", "asymptotics/papers/stored.py",
 }  # fmt: skip
 CACHES = {"cache", "lru_cache", "cached_property"}
 SETS = {"prec", "cap", "dps"}

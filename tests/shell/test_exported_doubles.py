@@ -8,7 +8,7 @@ from decimal import Decimal
 import pytest
 
 from asymptotics.ask.registry import QUESTIONS, loaded
-from asymptotics.present.double_errors import stated_errors
+from asymptotics.numbers.double_words import stated_errors
 from asymptotics.shell.main import main
 
 # Weak laws where the rows are an expansion: it is then the motion, to more than doubles hold.

@@ -72,7 +72,7 @@ def test_files_appear_whole(capsys, tmp_path):
     line = f"motion --alpha 2 --damping 1/10 --x0 1 --time 2 --reference --csv {csv} --plot {svg} --digits 10"
     exact = answer(capsys, line)
     rows = csv.read_text().splitlines()
-    assert rows[0] == "t [s],x [m],v [m/s],code [--alpha=2 --damping=1/10 --x0=1]" and float(
+    assert rows[0].startswith("t [s],x [m],v [m/s],code [--alpha=2 --damping=1/10 --x0=1 --double-error=") and float(
         rows[-1].split(",")[1]
     ) == pytest.approx(float(exact["x"]), abs=1e-9)
     first = svg.read_bytes()

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, POSITIVE, SECONDS, TEXT, Kind, Option, whole
 from asymptotics.ask.question import question
+from asymptotics.decays.identification.examples import EXAMPLES, example
 from asymptotics.decays.identification.forward.work import PATIENCE
 from asymptotics.decays.identification.identify import identified
 from asymptotics.decays.identification.telling.html_report import html_report
@@ -59,7 +60,25 @@ def _runs(data: Any, name: str, x: Any = None) -> Any:
     return tuple(columns.values())
 
 
-RUNS = Kind("FILE", _runs, place=True, several=True, words=True, schema={"type": "string"}, beside=("x",))
+def _files(options: argparse.Namespace) -> list[str]:
+    """The files, or the one of an example."""
+    if options.example is None:
+        if not options.data:
+            raise InputError("FILE", "is missing", f"a file of data; to try it, --example {', '.join(EXAMPLES)}")
+        return list(options.data)
+    if options.data:
+        raise InputError("--example", "cannot be combined with FILE", "either")
+    return [str(example(options.example))]
+
+
+_FILES = "a table of any layout, xlsx, parquet, npz, mat; several: several runs"
+RUNS = Kind(
+    "FILE", _runs, words=True, schema={"type": "string"}, beside=("x",), assemble=_files,
+    options=(
+        Option("data", "FILE", _FILES, place=True, several=True),
+        Option("example", "NAME", f"a file of this program: {', '.join(EXAMPLES)}", _DATA, words=tuple(EXAMPLES)),
+    ),
+)  # fmt: skip
 BESIDE = Kind("", lambda value, _: value, words=True, in_shell=False)
 KIND = TEXT.called(letter="KIND", group=_DATA, told=f": {', '.join(KINDS)}; default: found from the columns")
 UNIT = TEXT.called(letter="U", group=_DATA, told=f": {', '.join(UNITS)}; with milliseconds: mm,ms")
@@ -80,9 +99,8 @@ def _page(found: Identification, request: Request) -> str:
     """The page, with the digests of the files and the options that are not at their defaults."""
     # The page is to be checked against its data years later: names change, digests do not.
     files = {name: f"SHA-256 {sha256(Path(name).read_bytes()).hexdigest()}" for name in request["data"]}
-    names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise "
-    names += "columns decimal sheet rate modes"
-    given = {name: request.typed(name) for name in (*names.split(), "no_bootstrap")}
+    names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise columns decimal sheet rate"
+    given = {name: request.typed(name) for name in (*names.split(), "modes", "no_bootstrap")}
     chosen = "; ".join(f"{n}: {' '.join(v) if isinstance(v, list) else v}" for n, v in given.items() if v)
     date = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
     return html_report(found, {**files, "options": chosen or "none", "date": date})

@@ -25,9 +25,9 @@ from asymptotics.motions.asymptotic import MAX_ORDER
 from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.reference import MAX_DIGITS, reference_motion
 from asymptotics.motions.result import MotionSamples
+from asymptotics.numbers.double_words import with_errors
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
-from asymptotics.present.double_errors import with_errors
 
 DEFAULT_ORDER = 3
 

@@ -17,9 +17,9 @@ from asymptotics.curves.shown_solution import SolutionPoint
 from asymptotics.curves.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
 from asymptotics.errors import InputError
 from asymptotics.law import LawLike, Oscillator
+from asymptotics.numbers.double_words import with_errors
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
-from asymptotics.present.double_errors import with_errors
 from asymptotics.present.inputs import csv_text
 
 Found = Solution | ImplicitSolution

@@ -17,9 +17,9 @@ from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.observations import Indices, Observations
 from asymptotics.errors import InputError
 
-_LEAST, _COUNTED, _UNEVEN = 5, 1000, 0.01
+_LEAST, _COUNTED, _UNEVEN, _SIGMAS = 5, 1000, 0.01, 4.0
 """Rows of an envelope; the number of artificial half-swings at least; and how uneven a clock may be, as a share of its
-step, to count in steps."""
+step, to count in steps; and how many errors below the largest an amplitude may be it."""
 _FINE = 20_000
 """Artificial half-swings of an uneven clock."""
 
@@ -28,19 +28,19 @@ def observations_of_envelope(
     t: Array, x: Array, frequency: float, *, relative: bool = False, unit: str = "", name: str = "the envelope",
     notes: tuple[str, ...] = (),
 ) -> Observations:  # fmt: skip
-    """The amplitudes from the largest on; ``relative``: their errors are proportional to them, as in decibels.
+    """The amplitudes from where they fall on; ``relative``: their errors are proportional to them, as in decibels.
 
     InputError for what is no decay of amplitudes.
     """
-    first = int(np.argmax(x)) if len(x) else 0
-    said = [f"the {first} rows before the largest amplitude left out"] if first else []
+    first = _falling(x)
+    said = [f"the first {first} rows, before the amplitude falls, left out"] if first else []
     t, x = t[first:], x[first:]
     dead = np.flatnonzero(x <= 0)
     if len(dead):
         said.append(f"the amplitudes from t = {t[dead[0]]:.6g} on, where one is 0 or below, left out")
         t, x = t[: dead[0]], x[: dead[0]]
     if len(x) < _LEAST:
-        raise InputError("FILE", f"{name}: {len(x)} amplitudes from the largest on", f"at least {_LEAST}")
+        raise InputError("FILE", f"{name}: {len(x)} amplitudes that fall", f"at least {_LEAST}")
     n, spacing = _counted(t)
     stride = 2 * frequency * spacing
     told = f"an envelope at {frequency:.8g} Hz: {len(x)} amplitudes, {stride * int(n[-1]):.6g} half-swings"
@@ -48,6 +48,19 @@ def observations_of_envelope(
     # Amplitudes have one sign, which the reading of turning points tells: here it says nothing.
     kept = tuple(note for note in seen.notes if "one sign" not in note)
     return seen.as_envelope(stride, spacing, kept)
+
+
+def _falling(x: Array) -> int:
+    """The row at which the decay begins: behind the last that noise may have taken for the largest, for a drive holds
+    the amplitude before it stops."""
+    alive = np.maximum(x, 1e-300)
+    level = np.log(alive)
+    if len(x) < _LEAST or not (x > 0).any():
+        return 0
+    # Second differences of a smooth line are small; those of noise have six times its variance.
+    noise = float(np.median(np.abs(np.diff(level, 2)))) / (0.6745 * 6**0.5)
+    last = int(np.flatnonzero(level >= level.max() - _SIGMAS * noise)[-1])
+    return last + 1 if last else 0
 
 
 def _counted(t: Array) -> tuple[Indices, float]:

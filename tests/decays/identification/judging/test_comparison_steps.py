@@ -4,9 +4,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from asymptotics.decays.identification.fitting.in_time import ALL, Time
 
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.forward.work import ALL, Work
 from asymptotics.decays.identification.judging import comparison
 from asymptotics.decays.identification.judging.comparison import fit_laws
 from asymptotics.decays.identification.judging.laws import UNTRIED, Fitted
@@ -126,13 +126,13 @@ def test_a_law_that_is_spoken_for_is_far_and_not_fitted(calls):
 
 
 def test_what_the_time_does_not_suffice_for_is_untried(calls):
-    found = fit_laws([read("1"), read("2")], "seen", None, Time(0.0))  # over long ago
+    found = fit_laws([read("1"), read("2")], "seen", None, Work(deadline=0.0))  # over long ago
     assert calls.asked == [] and [law.reason for law in found] == [UNTRIED, UNTRIED]
     assert [law.fit for law in found] == [None, None]
 
 
-def nested(calls, *laws, time=ALL):
-    return {str(law.candidate): law for law in comparison._nested(laws, "seen", "noise", time)}
+def nested(calls, *laws, work=ALL):
+    return {str(law.candidate): law for law in comparison._nested(laws, "seen", "noise", work)}
 
 
 def test_a_fit_worse_than_that_of_a_law_it_contains_begins_again_from_there(calls):
@@ -165,7 +165,7 @@ def test_what_was_left_out_or_had_no_time_is_not_begun_again(calls):
     failed = Fitted(read("1+2"), None, "no fit: it ended")
     assert nested(calls, failed, fitted("1", 6.0))["1+2"].fit is not None and len(calls.asked) == 1
     kept = fitted("1+2", 5.0)
-    assert nested(calls, kept, fitted("1", 6.0), time=Time(0.0))["1+2"] is kept  # no time: as it was
+    assert nested(calls, kept, fitted("1", 6.0), work=Work(deadline=0.0))["1+2"] is kept  # no time: as it was
     assert nested(calls, kept, fitted("1", 6.0, aicc=float("inf")))["1+2"] is kept  # no data to spare
 
 

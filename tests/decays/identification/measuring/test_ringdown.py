@@ -78,7 +78,7 @@ def test_a_nonlinear_loss_has_its_strength():
 def test_the_rise_before_the_decay_is_left_out_and_the_frequency_is_asked_for():
     a = np.concatenate([A[0] * (1 - np.exp(-T[:20])), A[:-20]])
     (seen,) = load(written(level(a)))
-    assert any("20 rows before the largest" in note for note in seen.notes)
+    assert any("the first 21 rows, before the amplitude falls" in note for note in seen.notes)
     without = "time [s], power [dBm]\n"
     with pytest.raises(InputError, match="argument omega_0: .*is an envelope and says no frequency"):
         asy.identify(written(level(a), without))
@@ -86,6 +86,16 @@ def test_the_rise_before_the_decay_is_left_out_and_the_frequency_is_asked_for():
     assert seen.omega == pytest.approx(2 * np.pi * F)
     # Near miss: a linear column of few rows and no frequency holds peaks, a period apart.
     assert load(written(A, "time (s), amplitude (V)\n"))[0].omega is None
+
+
+def test_a_drive_that_holds_the_amplitude_is_no_part_of_the_decay():
+    held = np.concatenate([np.full(60, A[0]), A[:-60]])
+    off = []
+    for seed in range(20):
+        (seen,) = load({"t": T, "p [dBm]": level(noisy(held, seed=seed))}, omega_0=2 * np.pi * F)
+        off.append(seen.spacing * seen.n[-1] - (T[-1] - T[60]))
+    # It begins behind the drive, and not far: 4 % of the amplitude are lost in 0.6 s.
+    assert max(off) < 1e-9 and min(off) > -2.0
 
 
 def test_uneven_times_and_amplitudes_that_end_at_zero():

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_hex
 
 from asymptotics.decays.identification.fitting.profile import Interval, quantile
@@ -17,6 +18,7 @@ from asymptotics.decays.identification.judging.single_fits import fit_law
 from asymptotics.decays.identification.measuring.observations import Samples
 from asymptotics.decays.identification.synthetic import observed
 from asymptotics.decays.identification.telling import plots
+from asymptotics.decays.identification.telling.law_answer import shown_interval
 from asymptotics.errors import InputError
 from tests.decays.identification import small_laws
 
@@ -47,6 +49,17 @@ def axes():
 def line(axes, label):
     (found,) = [each for each in axes.lines if each.get_label() == label]
     return found
+
+
+def dots(axes):
+    """The measured decrements, and the half-lengths of their error bars."""
+    (drawn,) = axes.containers
+    (bars,) = drawn.lines[2]
+    return drawn.lines[0], np.array([np.ptp(path.vertices[:, 1]) / 2 for path in bars.get_paths()])
+
+
+def bands(axes):
+    return [each for each in axes.collections if isinstance(each, PolyCollection)]
 
 
 def colour(artist):
@@ -81,7 +94,7 @@ def test_the_decay_has_its_points_and_an_envelope_about_the_rest_position(axes, 
     for each, sign in ((upper, 1), (lower, -1)):
         assert np.array_equal(each.get_xdata(), np.arange(13)) and colour(each) == cycle(1)
         assert each.get_ydata() == pytest.approx(fit.rest + sign * size, rel=1e-9) and each.get_linewidth() == 1
-    assert np.array_equal(points.get_xdata(), run.n) and np.array_equal(points.get_ydata(), run.x)
+    assert np.array_equal(points.get_xdata(), run.n) and points.get_ydata() == pytest.approx(run.x, rel=1e-12)
     assert (points.get_marker(), points.get_markersize(), points.get_linestyle()) == ("o", 3, "None")
     assert names(axes) == ["envelope", "turning points"]
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("turning point n", "x (mm)")
@@ -99,7 +112,9 @@ def test_decrements_are_those_of_neighbours_about_the_rest_position(axes, pair):
     plots.draw_decrements(axes, [law], "mm")
     size = {n: abs(x - law.fit.rest) for n, x in zip(run.n[kept].tolist(), run.x[kept].tolist(), strict=True)}
     pairs = [(size[n], size[n + 1]) for n in size if n + 1 in size]
-    measured = line(axes, "measured")
+    measured, errors = dots(axes)
+    # Of two points with one standard deviation each.
+    assert errors == pytest.approx(np.full(8, np.sqrt(2) * law.fit.scales["x"]), rel=1e-6)
     assert measured.get_xdata() == pytest.approx([(a + b) / 2 for a, b in pairs], rel=1e-12)
     assert measured.get_ydata() == pytest.approx([a - b for a, b in pairs], rel=1e-9) and len(pairs) == 8
     assert (measured.get_marker(), measured.get_markersize(), measured.get_linestyle()) == ("o", 3, "None")
@@ -111,21 +126,23 @@ def test_decrements_are_those_of_neighbours_about_the_rest_position(axes, pair):
     assert curve.get_ydata() == pytest.approx(drawn[:-1] - drawn[1:], rel=1e-9)
 
 
-def test_each_law_has_its_colour_and_its_band_and_the_first_lies_in_front(axes, pair):
+def test_each_law_has_its_colour_and_its_band_and_the_first_lies_in_front(axes):
+    pair = laws_of(seen(), "1", "2")
     axes.plot([], [])
     plots.draw_decrements(axes, pair, "")
-    assert names(axes) == ["measured", "1", "1+2"]
-    curves = [line(axes, "1"), line(axes, "1+2")]
+    assert names(axes) == ["1", "2", "measured"]
+    curves = [line(axes, "1"), line(axes, "2")]
     assert [colour(each) for each in curves] == [cycle(0), cycle(1)]
     assert [each.get_linestyle() for each in curves] == ["-", "--"]
     assert [each.get_zorder() for each in curves] == pytest.approx([3.0, 2.9])
-    for law, curve, band, i in zip(pair, curves, axes.collections, (0, 1), strict=True):
+    for law, curve, band, i in zip(pair, curves, bands(axes), (0, 1), strict=True):
         amplitude, value, half = plots.decrement_band(law.fit, law.inflation)
-        assert np.array_equal(curve.get_xdata(), amplitude) and np.array_equal(curve.get_ydata(), value)
+        assert curve.get_xdata() == pytest.approx(amplitude, rel=1e-9)
+        assert curve.get_ydata() == pytest.approx(value, rel=1e-7)
         corners = band.get_paths()[0].vertices
         for a, low, high in zip(amplitude, value - half, value + half, strict=True):
-            own = corners[np.isclose(corners[:, 0], a, rtol=1e-12), 1]
-            assert own.min() == pytest.approx(low, rel=1e-9) and own.max() == pytest.approx(high, rel=1e-9)
+            own = corners[np.isclose(corners[:, 0], a, rtol=1e-9), 1]
+            assert own.min() == pytest.approx(low, rel=1e-6) and own.max() == pytest.approx(high, rel=1e-6)
         assert to_hex(band.get_facecolor()[0]) == cycle(i) and band.get_alpha() == 0.25
         assert band.get_linewidth() == 0
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("mean amplitude", "decrement")
@@ -154,7 +171,7 @@ def left_of(law, share=0.05):
 def test_what_a_refuted_law_leaves_is_shaded_from_its_decrement_to_the_measured_one(axes, pair):
     plots._draw_left(axes, left_of(pair[0]))
     (band,) = axes.collections
-    assert band.get_label() == "left unexplained: 5 % of the loss"
+    assert band.get_label() == "measured: 1 is 5 % off on average"
     e = pair[0].fit.theta[1]
     q = np.exp(-np.pi * e / 2 / np.sqrt(1 - e * e / 4))
     corners = band.get_paths()[0].vertices
@@ -170,11 +187,12 @@ def test_nothing_is_shaded_where_nothing_is_left(axes, pair):
     for law in (replace(one, verdict="consistent"), left_of(pair[0], 0.0), replace(one, evidence=Evidence())):
         plots._draw_left(axes, law)
         assert not axes.collections
-    plots.draw_decrements(axes, [one, pair[1]], "")  # the first law's alone
-    assert names(axes) == ["measured", "1", "1+2", "left unexplained: 5 % of the loss"]
+    other = laws_of(seen(), "2")[0]
+    plots.draw_decrements(axes, [one, other], "")  # the first law's alone
+    assert sorted(names(axes)) == ["1", "2", "measured", "measured: 1 is 5 % off on average"]
     axes.clear()
-    plots.draw_decrements(axes, [pair[1], one], "")
-    assert names(axes) == ["measured", "1+2", "1"]
+    plots.draw_decrements(axes, [other, one], "")
+    assert names(axes) == ["2", "1", "measured"]
 
 
 def test_residuals_stand_at_their_numbers_in_standard_deviations(axes):
@@ -196,7 +214,7 @@ def test_residuals_stand_at_their_numbers_in_standard_deviations(axes):
 
 def test_residuals_of_samples_stand_at_their_times(axes):
     t, r = np.array([0.0, 0.5, 1.5]), np.array([0.3, -1.0, 2.0])
-    model = SimpleNamespace(seen=SimpleNamespace(samples=Samples(t, r, 1.0, 1.0)))
+    model = SimpleNamespace(seen=SimpleNamespace(samples=Samples(t, r, 1.0, 1.0), time_unit=""))
     plots._residuals(axes, small_laws.law("1+2", SimpleNamespace(model=model, weighted=r)))
     points, zero = axes.lines
     assert np.array_equal(points.get_xdata(), t) and np.array_equal(points.get_ydata(), r)
@@ -210,7 +228,8 @@ def test_profiles_rise_to_the_height_at_which_the_printed_intervals_end(axes, pa
     law = pair[1]
     axes.plot([], [])  # the colours are those of the losses, whatever was drawn before
     plots._profile(axes, law)
-    curves = [line(axes, f"strength of {name}") for name in ("1", "2")]
+    labels = [f"epsilon of {name}: {shown_interval(e)}" for name, e in zip(("1", "2"), law.epsilon, strict=True)]
+    curves = [line(axes, label) for label in labels]
     height = quantile(law.fit, 0.95, "x") ** 2
     marks = [each for each in axes.lines if each.get_marker() == "|"]
     levels = [each for each in axes.lines if each.get_color() == "0.5"]
@@ -225,7 +244,7 @@ def test_profiles_rise_to_the_height_at_which_the_printed_intervals_end(axes, pa
         assert rise[6] == 0 == change[6] and (np.diff(rise[:7]) < 0).all() and (np.diff(rise[6:]) > 0).all()
         # The profile itself passes through the ends: found by another search (_end), to 0.5 % of their height.
         assert np.interp(ends.get_xdata()[1], change[6:], np.sqrt(rise[6:])) == pytest.approx(np.sqrt(height), rel=0.02)
-    assert names(axes) == ["strength of 1", "95 % interval", "strength of 2"]
+    assert names(axes) == [labels[0], "95 % interval", labels[1]]
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("relative change of the strength", "rise of chi squared")
     assert axes.get_title() == "profiles of 1+2"
     assert len(axes.get_xticks()) <= 6  # four intervals, and one beyond each end
@@ -239,10 +258,12 @@ def test_ends_without_a_limit_have_no_mark_and_a_strength_of_zero_its_own_scale(
     assert list(marks.get_xdata()) == [-0.001] and len(marks.get_ydata()) == 1
 
 
-def answer(*laws, per_run=()):
+def answer(*laws, per_run=(), chosen=()):
     said = " ".join(["word"] * 40)
     return SimpleNamespace(
         laws=[SimpleNamespace(law=law) for law in laws],
+        of_the_verdict=[SimpleNamespace(law=law) for law in chosen],
+        quality_in_words="Q = 3 at 1",
         per_run=per_run,
         verdict=SimpleNamespace(text=said),
         units=SimpleNamespace(unit="mm"),
@@ -251,11 +272,11 @@ def answer(*laws, per_run=()):
 
 def test_the_laws_of_the_verdict_are_shown_and_three_at_most(pair):
     one, two = pair
-    of_verdict = replace(two, verdict="consistent", evidence=Evidence(held_out=1.0))
-    refuted, unseen = replace(of_verdict, verdict="refuted"), replace(one, verdict="consistent", evidence=Evidence())
-    assert plots.shown_laws(answer(unseen, refuted, of_verdict)) == [of_verdict]
-    assert plots.shown_laws(answer(unseen, refuted)) == [unseen, refuted]  # none is of the verdict: the first ones
-    assert plots.shown_laws(answer(unseen, refuted, unseen, refuted)) == [unseen, refuted, unseen]
+    other, third = laws_of(seen(), "2", "3")
+    assert plots.shown_laws(answer(one, two, other, chosen=[other])) == [other]
+    assert plots.shown_laws(answer(one, two, chosen=[other])) == [one, two]  # none is of the verdict: the first ones
+    assert plots.shown_laws(answer(one, two, other, third)) == [one, two, other]
+    unseen = one
     unfitted = small_laws.law("1", None)
     printed = small_laws.law("1", SimpleNamespace(model=SimpleNamespace(alternating=False)))
     assert plots.shown_laws(answer(unfitted, printed, unseen)) == [unseen]
@@ -265,15 +286,15 @@ def test_the_laws_of_the_verdict_are_shown_and_three_at_most(pair):
 
 
 def test_the_panels_stand_in_two_rows_under_the_verdict(axes, pair):
-    of_verdict = replace(pair[0], verdict="consistent", evidence=Evidence(held_out=1.0))
-    plots.draw_panels(answer(pair[1], of_verdict), axes)
+    plots.draw_panels(answer(pair[1], pair[0], chosen=[pair[0]]), axes)
     places = [(p.get_subplotspec().rowspan.start, p.get_subplotspec().colspan.start) for p in axes.figure.axes]
     assert places == [(0, 0), (0, 1), (1, 0), (1, 1)]
     titles = ["decay and envelope of 1", "decrement against amplitude", "residuals of 1", "profiles of 1"]
     assert [panel.get_title() for panel in axes.figure.axes] == titles
     assert axes.get_ylabel() == "x (mm)" and axes.figure.axes[1].get_ylabel() == "decrement (mm)"
     (said,) = [axes.figure._suptitle]
-    assert said.get_text() == "\n".join([" ".join(["word"] * 22), " ".join(["word"] * 18)])  # 110 characters a line
+    # 110 characters a line, and Q below the verdict.
+    assert said.get_text() == "\n".join([" ".join(["word"] * 22), " ".join(["word"] * 18), "Q = 3 at 1"])
     assert said.get_fontsize() == 11
 
 

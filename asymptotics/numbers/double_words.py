@@ -49,8 +49,8 @@ def _read(word: str) -> tuple[str, DoubleError]:
     size, _, kind = rest.partition(":")
     # A header is foreign text.
     if not name or kind not in _KINDS:
-        raise InputError("FILE", f"its header says {word[:80]!r}, which is no error of a column", accepted)
-    error = parse_printed(size, "FILE")
+        raise InputError("file", f"its header says {word[:80]!r}, which is no error of a column", accepted)
+    error = parse_printed(size, "file")
     if not 0 <= error < 1:
-        raise InputError("FILE", f"its header says {word[:80]!r}: the error is not in 0 ... 1", accepted)
+        raise InputError("file", f"its header says {word[:80]!r}: the error is not in 0 ... 1", accepted)
     return name, DoubleError(Fraction(error), _KINDS[kind])
