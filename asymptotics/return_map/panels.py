@@ -150,7 +150,7 @@ class ReturnMap:
     def _from_zero(self, z: arb, remaining: int) -> PanelPlan | None:
         """The interval that holds z, if the half-swings that it would have served and will serve repay it."""
         place, c = float(z.upper()), self.coordinate
-        plan, beyond = from_zero(c, place, self.bits, quartered=self.quartered), 0.0
+        plan, beyond = from_zero(c, place, self.bits, quartered=self.quartered, again=bool(self.made)), 0.0
         if plan is None:
             plan, beyond = farthest(c, self.bits, quartered=self.quartered), 0.5 * reach_of(c, whole=not self.quartered)
         if not place <= plan.last or plan in self.refused:
