@@ -48,7 +48,8 @@ from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.state_route import StateRoute
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
-from asymptotics.numbers.exact import ExactReal, require_integer
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.return_map.panels import panels_of

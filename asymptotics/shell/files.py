@@ -12,7 +12,8 @@ from typing import Any
 from asymptotics.ask.answers import read_points
 from asymptotics.ask.question import Question
 from asymptotics.errors import InputError
-from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.integers import parse_integer
 from asymptotics.present.drawn import Drawn, pictured
 from asymptotics.present.figures import DPI, MAX_DPI, MIN_DPI
 from asymptotics.present.files import require_different, target_file, write_all

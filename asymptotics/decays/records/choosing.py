@@ -45,7 +45,7 @@ written twice."""
 def chosen(given: Source, kind: str | None, how: How) -> Choice:
     """The columns, and in the note how they were found; InputError with the option that says it, where it is asked."""
     names, said, notes = ordered(given, kind, how), how.columns, list[str]()
-    if names[-1] == CLOCK and not names_time(said):
+    if names and names[-1] == CLOCK and not names_time(said):
         said = ",".join([*([said] if said else []), f"t={len(names)}"])
     while True:  # each time round a column is settled: a time, and what is measured after it
         try:
