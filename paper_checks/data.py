@@ -42,9 +42,18 @@ def derivation_records() -> list[dict[str, Any]]:
 
 
 def _place(name: str, cited: dict[str, list[str]]) -> tuple[int, int, str]:
-    """The place of the first statement that cites it; what no statement cites comes last, by name."""
+    """The place of the first statement of its paper that cites it; what no statement cites comes last, by name."""
     order = list(load())
-    return (0, order.index(cited[name][0]), "") if name in cited else (1, 0, name)
+    return (0, order.index(_first(name, cited[name])), "") if name in cited else (1, 0, name)
+
+
+def _first(name: str, ids: list[str]) -> str:
+    """The first statement that cites a derivation, of the paper that its name begins with if there is one.
+
+    >>> _first("lelas-air", ["lancaster2020:15", "lelas2024:38"]), _first("creep-arrival", ["lancaster2020:15"])
+    ('lelas2024:38', 'lancaster2020:15')
+    """
+    return next((key for key in ids if key.startswith(name.partition("-")[0])), ids[0])
 
 
 def _derivation_record(name: str, ids: list[str]) -> dict[str, Any]:
@@ -53,8 +62,9 @@ def _derivation_record(name: str, ids: list[str]) -> dict[str, Any]:
     calls = (node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Call))
     call = next(node for node in calls if getattr(node.func, "id", "") == "Derivation")
     given = [ast.literal_eval(node) for node in call.args] + [ast.literal_eval(k.value) for k in call.keywords]
-    section = inspect.unwrap(load()[ids[0]].check).__module__.rpartition(".")[2] if ids else ""
-    paper = ids[0].partition(":")[0] if ids else ""
+    first = _first(name, ids) if ids else ""
+    section = inspect.unwrap(load()[first].check).__module__.rpartition(".")[2] if ids else ""
+    paper = first.partition(":")[0]
     return {"name": name, "title": given[1], "source": given[2], "paper": paper, "section": section, "statements": ids}
 
 
