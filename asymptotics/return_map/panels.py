@@ -233,7 +233,10 @@ class Panels:
         panel = self.map.panel(wide, remaining)
         if panel is None:
             return None
-        return panel.half_swing(wide if error == 0 else self.place(p), wide)
+        try:
+            return panel.half_swing(wide if error == 0 else self.place(p), wide)
+        except UndecidedError:  # an amplitude so uncertain that it may end outside: the pieces may tell
+            return None
 
     def place(self, p: arb) -> arb:
         """z at an amplitude > 0 of this law, in the unit of the ray."""

@@ -124,9 +124,7 @@ def run(argv: list[str] | None = None) -> int:
         typed(options)
         return _shown(name, command, options)
     except InputError as error:
-        complain(
-            f"asymptotics {name}: {as_option(error, options, _written(parser), command.question.feeds())}"
-        )
+        complain(f"asymptotics {name}: {as_option(error, options, _written(parser), command.question.feeds())}")
         return 2
     except ValueError as error:
         # Python's limit on the digits of an int (4300) is met where a fraction is printed: an answer too long to be

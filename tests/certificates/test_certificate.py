@@ -157,10 +157,8 @@ def test_the_checker_is_one_short_page_of_the_standard_library():
 
 def test_exact_places_and_stops_on_the_edge_are_left_and_told():
     centre = turning_points(Oscillator({0: "1/10"}), 6, digits=8, times=True).certificate()
-    assert centre.proved[-2:] == (
-        "turning point 5: t = 15.707963 (known to 1e-10)",
-        "turning point 5: it stays",
-    )
+    assert centre.proved[-2].startswith("turning point 5: t = 15.707963 (known")
+    assert centre.proved[-1] == "turning point 5: it stays"
     assert centre.left == ("turning point 5: x = 0 exactly, which no bound tells",)
     edge = turning_points(Oscillator({0: "1/5"}, x0=-1), 3, digits=3).certificate()
     assert edge.proved[-1].startswith("turning point 2: x = -0.200 (known")

@@ -180,7 +180,11 @@ def _turning_points(table: RecordTable) -> Observations:
     _require_few(n[-1] - n[0], rows.where(len(n) - 1, "n"))
     if tau is not None:
         require_increasing(tau, "tau", rows)
-    seen = Observations.of(n.astype(int), x, () if tau is None else tau, unit=table.unit, name=name, notes=notes)
+    late = table.columns.get("sigma_t", ()) if tau is not None else ()
+    seen = Observations.of(
+        n.astype(int), x, () if tau is None else tau, sigma_x=table.columns.get("sigma_x", ()), sigma_t=late,
+        unit=table.unit, name=name, notes=notes,
+    )  # fmt: skip
     wrong = np.flatnonzero(seen.x * seen.sign < 0)
     # Noise may change the sign of the last points; more than a third is another numbering.
     if len(wrong) > max(2, len(x) // 3):

@@ -137,3 +137,14 @@ def test_decrements_that_cannot_be_are_refused(rows, reason):
     with pytest.raises(InputError, match=reason):
         load(columns)
     assert len(load({k: np.array([v, v]) for k, v in (("amplitude", 1.0), ("decrement", 0.1))})[0].amplitude) == 2
+
+
+def test_turning_points_keep_their_name_their_unit_their_times_and_what_was_told():
+    table = RecordTable(
+        "turning-points",
+        {"n": np.arange(5.0), "x": 0.9 ** np.arange(5.0) * (-1.0) ** np.arange(5), "tau": np.arange(5.0) * 2},
+        "mm", RowPlaces("file", np.arange(5) + 2), ("read",),
+    )  # fmt: skip
+    seen = sources._turning_points(table)
+    assert (seen.name, seen.unit) == ("file", "mm") and "read" in seen.notes and seen.t.tolist() == [0, 2, 4, 6, 8]
+    assert seen.n.tolist() == [0, 1, 2, 3, 4] and seen.x[1] == -0.9
