@@ -92,7 +92,7 @@ def _settled(given: Source, names: Sequence[str], several: SeveralError) -> tupl
         return _clock(axes, names), f"of {listed}, which tell one time, the finest: --columns overrules"
     if not axes or several.column not in ("x", "v", "a"):
         return None, ""
-    if len({(quantity(names[i]), suffix(names[i])) for i in axes}) == 1:
+    if len({(quantity(names[i]), suffix(names[i]), bool(_ANGLE.search(names[i]))) for i in axes}) == 1:
         return carrying(axes), f"of {listed} it carries the oscillation (nine tenths of the line): --columns overrules"
     return _angle(axes, names), f"of {listed} it carries the oscillation: --columns overrules"
 
