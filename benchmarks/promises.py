@@ -4,6 +4,7 @@ The first run of each makes the coefficients that later runs share; it is not ti
 """
 
 from collections.abc import Callable
+from fractions import Fraction
 from functools import partial
 from itertools import islice
 from time import process_time
@@ -26,7 +27,7 @@ from asymptotics.flow.turning import at_rest
 from asymptotics.law import Law
 from asymptotics.limit_cycles.series import limit_cycle_series
 from asymptotics.numbers.context import ctx
-from asymptotics.return_map.panels import panels_of
+from asymptotics.return_map.panels import map_of, panels_of
 from asymptotics.return_map.sequence import Interpolated
 from asymptotics.return_map.spectral import analysis, integrals
 from asymptotics.terms import Term
@@ -63,6 +64,7 @@ def promises(size: int) -> dict[str, tuple[Callable[[], object], float]]:
         "100 turning points with gradients, doubles": (lambda: turning_sequence(swing, 100, p * 1.01, orbit.a), 0.002),
         "next amplitude and half period, alpha = 1.37, 100 strengths, 20 digits": (lambda: _swept(12 * size + 4), 2.4),
         "1000 turning points and times of 3/2, 15 digits, enclosures": (lambda: points(BETWEEN, few, size), 0.05),
+        "200 strengths of 3/2, 10 turning points, 12 digits, the map included": (lambda: strengths(25 * size), 1),
         "1000 turning points and times of (1, 2), 15 digits, enclosures": (lambda: points(PAIR, few, size), 0.05),
         "1000 turning points and times of 3 at epsilon = 2, 30 digits": (lambda: points({3: 2}, many, size), 20),
         "identify: 149 turning points, every law, no bootstrap": (lambda: asy.identify(seen, bootstrap=False), 2),
@@ -103,9 +105,20 @@ def constants(alpha: object, digits: int) -> object:
 
 def anew(pairs: dict[object, object]) -> object:
     """Decimals of 1000 turning points and their times; no table of an earlier run is used."""
-    for table in (panels_of, analysis, integrals):
-        table.cache_clear()
+    _forget()
     return turning_points(Law(pairs), 1000, 30, times=True)
+
+
+def _forget() -> None:
+    for table in (map_of, panels_of, analysis, integrals):
+        table.cache_clear()
+
+
+def strengths(count: int) -> None:
+    """Ten turning points of 3/2 to 12 digits at ``count`` strengths up to 1/2, in a process that has no return map."""
+    _forget()
+    for k in range(1, count + 1):
+        turning_points(Law({"3/2": Fraction(k, 2 * count)}), 10, 12)
 
 
 def points(pairs: dict[object, object], digits: int, size: int) -> object:

@@ -1,6 +1,6 @@
 """Lelas' squaring trick for sliding friction (22)-(33), and for any exponent alpha <= 1: too fast a decay.
 
->>> derivation.steps[-1].reason
+>>> derivation.steps[17].reason
 'and Lelas stops earlier than at 1/(M_1 epsilon), by the factor M_1 sqrt(2) = 2 sqrt(2)/pi < 1, for every strength'
 """
 
@@ -106,4 +106,27 @@ step(
     "and Lelas stops earlier than at 1/(M_1 epsilon), by the factor M_1 sqrt(2) = 2 sqrt(2)/pi < 1, for every strength",
     Solution(local, sympy.Integer(0), tau) * mean * epsilon,
     2 * sqrt(2) / sympy.pi,
+)
+
+# Near the end of the line, and after it.
+line = defined("f", lambda t: 1 + slope * t)
+ratio = -sympy.Derivative(line(t), t) / (omega_0 * line(t))
+derivation.asserts(
+    "|f'|/omega_0 is constant, but what is dropped from (10) is to what is kept as f' to omega_0 f: however small mu,"
+    " at the end of (32)",
+    sympy.Eq(sympy.Limit(ratio, t, end, "-"), sympy.oo, evaluate=False),
+    corrects=("lelas2024:claim.dropping-the-slope",),
+)
+b = sympy.Symbol("b", positive=True)
+decay = defined("f_20", lambda t: sympy.exp(-b * t / (2 * m)))
+step(
+    "Near miss: with (20) the ratio does not grow, and small at the start is small for ever",
+    -sympy.Derivative(decay(t), t) / (omega_0 * decay(t)),
+    b / (2 * m * omega_0),
+)
+later = sympy.Symbol("s", positive=True)
+derivation.asserts(
+    "(32) starts from 1 and falls, and yet it is negative after its end, here by the time s",
+    sympy.Lt(At(line(t), {t: end + later}), 0, evaluate=False),
+    corrects=("lelas2024:claim.amplitude-not-negative",),
 )

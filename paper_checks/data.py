@@ -4,6 +4,7 @@ import ast
 import inspect
 import json
 import re
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -37,14 +38,26 @@ def derivation_records() -> list[dict[str, Any]]:
     for s in load().values():
         if s.derivation is not None:
             cited.setdefault(s.derivation, []).append(s.id)
-    names = [*cited, *(name for name in derivation_names() if name not in cited)]
-    return [_derivation_record(name, cited.get(name, [])) for name in sorted(names, key=lambda n: _place(n, cited))]
+    found = [_derivation_record(name, cited.get(name, [])) for name in derivation_names()]
+    return sorted(found, key=_place)
 
 
-def _place(name: str, cited: dict[str, list[str]]) -> tuple[int, int, str]:
-    """The place of the first statement that cites it; what no statement cites comes last, by name."""
+def _place(record: dict[str, Any]) -> tuple[int, int, str]:
+    """The place of the first statement of its paper that cites it; what belongs to no paper comes last, by name."""
+    own = [i for i in record["statements"] if i.startswith(record["paper"])]
     order = list(load())
-    return (0, order.index(cited[name][0]), "") if name in cited else (1, 0, name)
+    return (0, order.index(own[0]), record["name"]) if record["paper"] else (1, 0, record["name"])
+
+
+def _belongs(name: str, ids: list[str]) -> str:
+    """The paper of a derivation: that of its name, if this says one, else the one that cites it most.
+
+    >>> _belongs("lelas-friction", ["lancaster2020:16", "lelas2024:22"]), _belongs("creep", ["smith2012:70"])
+    ('lelas2024', 'smith2012')
+    """
+    cited = Counter(i.partition(":")[0] for i in ids)
+    of_name = [key for key in cited if key.startswith(name.partition("-")[0])]
+    return of_name[0] if of_name else max(cited, key=cited.__getitem__, default="")
 
 
 def _derivation_record(name: str, ids: list[str]) -> dict[str, Any]:
@@ -53,8 +66,9 @@ def _derivation_record(name: str, ids: list[str]) -> dict[str, Any]:
     calls = (node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Call))
     call = next(node for node in calls if getattr(node.func, "id", "") == "Derivation")
     given = [ast.literal_eval(node) for node in call.args] + [ast.literal_eval(k.value) for k in call.keywords]
-    section = inspect.unwrap(load()[ids[0]].check).__module__.rpartition(".")[2] if ids else ""
-    paper = ids[0].partition(":")[0] if ids else ""
+    paper = _belongs(name, ids)
+    own = [i for i in ids if i.startswith(paper)]
+    section = inspect.unwrap(load()[own[0]].check).__module__.rpartition(".")[2] if own else ""
     return {"name": name, "title": given[1], "source": given[2], "paper": paper, "section": section, "statements": ids}
 
 

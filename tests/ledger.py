@@ -76,7 +76,8 @@ RESTS = {
     "motion": "a series that diverges: its error is measured, unless `--bound` proves one (`uniform-bound`,"
     " `explicit-bound`)",
     "solution": "the same series, explicit in the slow time: O(epsilon^N), not bounded",
-    "envelope": "the averaged law in balls (`lancaster-envelope`): certified for it, and it approximates the motion",
+    "envelope": "the averaged law in balls (`lancaster-average`, `two-laws-average`): certified for it, and it"
+    " approximates the motion",
     "damping": "the energy of a half-swing, in balls, between certified turning points",
     "expand": "formal series: whole exponents exact, others in balls (`quarter-swing-tail`)",
     "half-swing": "the same",

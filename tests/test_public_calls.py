@@ -142,6 +142,7 @@ METHODS = {
     "number": {"name": "amplitude", "at": 1},
     "best_order": {"delta": 2}, "columns": {"t": [0.0, 1.0]},
     "__call__": {"A": 0.5, "epsilon": "1/10"}, "amplitude": {"t": 1}, "amplitudes": {"t": [1.0]},
+    "certificate": {"t": 1, "digits": 9}, "phase_errors": {"t": [1.0]},
     "at": {"t": 1, "time": 1, "psi": 1}, "at_order": {"t": 1, "order": 2},
     "bound": {"t": 1}, "commutator": {"i": 0, "j": 1}, "compare": {"other": asy.expand("3/2"), "epsilon": "1/10"},
     "delta": {"tau": 1, "delta_0": "1/10"}, "events": {"until": 2}, "extinction_time": {"delta_0": "1/10"},

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from asymptotics.ask.kinds import Option
-from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.integers import parse_integer
 from asymptotics.present.drawn import KINDS
 from asymptotics.present.figures import DPI, SIZE
 

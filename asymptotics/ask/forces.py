@@ -22,7 +22,8 @@ from dataclasses import dataclass
 
 from asymptotics.errors import InputError
 from asymptotics.law import PENDULUM, Law
-from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_integer, parse_real
+from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_real
+from asymptotics.numbers.integers import parse_integer
 from asymptotics.terms import MAX_POSITION, Term
 
 # The work grows like the monomials of so many strengths; an exponent above 1000 is a wall, not a law.  Refusals.

@@ -22,7 +22,7 @@ from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator, of_unit_start
 from asymptotics.motions.certify import time_of
 from asymptotics.motions.point import MotionPoint
-from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.running.budget import DEFAULT_SECONDS
 

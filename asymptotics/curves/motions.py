@@ -49,8 +49,7 @@ Array = Any
 DIGITS, MAX_EVENTS, MAX_SECONDS = 15, 10_000, 120
 # Points of a drawing: an expansion costs microseconds a point, a reference a certified step or more.
 POINTS, ERROR_POINTS, REFERENCE_POINTS = 4001, 241, 401
-# Two zeros of x, or of v, are about half a turn apart unless damping is strong: in a cell of a sixteenth of it two are
-# not expected, and a pair in one cell would be missed.  The docstring of ``Events`` says so: heuristic.
+# Two zeros are about half a turn apart unless damping is strong: a pair in one cell of a sixteenth would be missed.
 _PER_HALF_SWING = 16
 
 

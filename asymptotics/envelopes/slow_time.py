@@ -35,7 +35,8 @@ from asymptotics.expansions.normal_form.digits import expansions
 from asymptotics.expansions.normal_form.tau_polynomial import TauPolynomial
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.decimals import MAX_DIGITS, bits_for, decimal_of_ball
-from asymptotics.numbers.exact import ExactReal, require_integer
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.series import Key, Series, divided, is_exact_zero
 from asymptotics.terms import Term

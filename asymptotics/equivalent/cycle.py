@@ -61,7 +61,11 @@ class FullSwing:
 
 def full_swing(law: Law, digits: int) -> FullSwing | str:
     """The swing from rest at 1 by turning points of ``digits`` digits, or why there is none, in words."""
-    found = turning_points(law, 3, digits, times=True)
+    try:
+        found = turning_points(law, 3, digits, times=True)
+    except (LimitError, UndecidedError):
+        # Times cost more than places: without them there is no period, and all else stands.
+        found = turning_points(law, 3, digits)
     if len(found.points) < 3:
         return _ended(found)
     text = found.points[2].x

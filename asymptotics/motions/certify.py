@@ -16,7 +16,8 @@ from flint import arb
 from asymptotics.errors import InputError
 from asymptotics.motions.point import MotionPoint
 from asymptotics.numbers.decimals import bits_for, decimal_of, rational_decimal
-from asymptotics.numbers.exact import ExactReal, require_integer
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.numbers.rationals import decimal_fraction

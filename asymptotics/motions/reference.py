@@ -48,15 +48,18 @@ from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.state_route import StateRoute
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
-from asymptotics.numbers.exact import ExactReal, require_integer
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
+from asymptotics.return_map.half_swing_map import INTEGRATED
+from asymptotics.return_map.half_swing_map import ROUTE as INTERPOLATED
 from asymptotics.return_map.panels import panels_of
 from asymptotics.return_map.sequence import Interpolated
 from asymptotics.running.budget import DEFAULT_SECONDS, budget, require_seconds
 from asymptotics.running.cut_short import changed
 
-METHOD = "reference: half-swing by half-swing, local expansions and Taylor steps in balls"
+METHOD = f"reference: half-swing by half-swing, {INTEGRATED}, {INTERPOLATED}, in balls"
 CLOSED = f"reference: half-swing by half-swing, {CLOSED_ROUTE}, in balls"
 IN_WELL = "reference: half-swing by half-swing in the well, local expansions and Taylor steps in balls"
 MAX_DIGITS = 1000
@@ -163,7 +166,7 @@ def _lost(oscillator: Oscillator, times: Sequence[ExactReal]) -> int:
     """Bits that a motion next to critical damping loses up to the last of the times."""
     if not oscillator.law.is_pure or not times:
         return 0
-    return lost_until(oscillator.dimensionless, max(_tau(oscillator, t) for t in times))
+    return lost_until(oscillator.dimensionless, _tau(oscillator, max(times)))
 
 
 def _tau(oscillator: Oscillator, t: ExactReal) -> float:

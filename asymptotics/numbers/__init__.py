@@ -2,6 +2,7 @@
 
 from asymptotics.numbers import pickling as pickling
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
-from asymptotics.numbers.exact import ExactReal, parse_integer, parse_rational, parse_real
+from asymptotics.numbers.exact import ExactReal, parse_rational, parse_real
+from asymptotics.numbers.integers import parse_integer
 
 __all__ = ["ExactReal", "certified_decimal", "parse_integer", "parse_rational", "parse_real", "rational_decimal"]

@@ -26,7 +26,8 @@ from math import floor, log2
 from flint import arb, fmpz
 
 from asymptotics.errors import LimitError
-from asymptotics.numbers.exact import ExactReal, require_integer
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.precision import TooWideError, at_growing_precision
 
 BITS_PER_DIGIT = log2(10)

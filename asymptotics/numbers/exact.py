@@ -21,12 +21,13 @@ from fractions import Fraction
 from functools import reduce
 from math import isqrt
 from numbers import Rational
-from operator import index, mul
+from operator import mul
 
 from flint import arb, fmpq
 
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.context import ctx, inside
+from asymptotics.numbers.integers import require_integer, shown_text
 from asymptotics.numbers.quantities import unit_behind
 from asymptotics.present.shown import Page, Shown
 
@@ -39,9 +40,6 @@ _PRINTED = re.compile(_NUMBER.replace(r"\d{1,3})?(?:/", r"\d{1,5})?(?:/") + r"\Z
 _ROOT = re.compile(
     rf"(?P<factor>[+-]?|{_NUMBER}\*)sqrt\((?P<radicand>{_NUMBER})\)(?: (?P<offset>[+-] {_NUMBER[5:]}))?\Z", re.ASCII
 )
-_INTEGER = re.compile(r"[+-]?\d{1,40}\Z", re.ASCII)
-# An exponent of two digits: 1e400 is no way to write a count.
-_DECIMAL = re.compile(r"[+-]?\d{1,60}(?:\.\d{0,60})?(?:[eE][+-]?\d{1,2})?", re.ASCII)
 
 # A limit of memory: such a power of a fraction has a hundred thousand times its digits.
 MAX_POWER = 100_000
@@ -326,10 +324,10 @@ def _fraction(text: str, argument: str, accepted: str, form: re.Pattern[str]) ->
         why = ": it has a comma, and decimals have a point" if "," in stripped else ""
         unit = unit_behind(stripped) if len(stripped) <= 100 else ""
         why += f": it has the unit {unit}, which is no part of this number" if unit else ""
-        raise InputError(argument, f"{_shown(text)} is not an exact number{why}", accepted)
+        raise InputError(argument, f"{shown_text(text)} is not an exact number{why}", accepted)
     number, _, denominator = stripped.partition("/")
     if denominator and not int(denominator):
-        raise InputError(argument, f"{_shown(text)} has a zero denominator", accepted)
+        raise InputError(argument, f"{shown_text(text)} has a zero denominator", accepted)
     # The constructor of Decimal keeps every digit, whatever the context of decimals is.
     found = Fraction(*Decimal(number).as_integer_ratio())
     return found / int(denominator) if denominator else found
@@ -355,55 +353,5 @@ def parse_real(text: str, argument: str) -> ExactReal:
         )
     )
     if radicand < 0:
-        raise InputError(argument, f"{_shown(text)} is not real", REAL_FORMS)
+        raise InputError(argument, f"{shown_text(text)} is not real", REAL_FORMS)
     return ExactReal(factor, radicand, offset)
-
-
-def require_integer(value: object, argument: str, low: int, high: int) -> int:
-    """The one contract for counts, orders, starts and digits: an int in [low, high], or InputError by name.
-
-    >>> require_integer(True, "digits", 1, 100)
-    Traceback (most recent call last):
-        ...
-    asymptotics.errors.InputError: argument digits: True is a bool, not an integer (accepted: ... from 1 to 100)
-    """
-    accepted = f"an integer from {low} to {high}"
-    try:
-        number = index(value)  # type: ignore[arg-type]
-    except TypeError:
-        raise InputError(argument, f"{shown(value)} is not an integer", accepted) from None
-    if isinstance(value, bool):
-        raise InputError(argument, f"{value} is a bool, not an integer", accepted)
-    if not low <= number <= high:
-        raise InputError(argument, f"{_shown_integer(number)} is out of range", accepted)
-    return number
-
-
-def _shown_integer(number: int) -> str:
-    """An integer of any size: Python refuses to print one of more than 4300 digits."""
-    return str(number) if abs(number) < 10**40 else f"an integer of {number.bit_length()} bits"
-
-
-def parse_integer(text: str, argument: str, low: int, high: int) -> int:
-    """Read an integer in [low, high], also as ``numpy.savetxt`` writes it; InputError names ``argument`` otherwise.
-
-    >>> parse_integer("12", "--n", 1, 100), parse_integer("1.200000000000000000e+01", "--n", 1, 100)
-    (12, 12)
-    """
-    accepted = f"an integer from {low} to {high}"
-    number = text.strip()
-    whole = bool(_INTEGER.match(number))
-    value = int(number) if whole else 0
-    if not whole and _DECIMAL.fullmatch(number):
-        written = Fraction(number)
-        whole, value = written.denominator == 1, written.numerator
-    if not whole:
-        raise InputError(argument, f"{_shown(text)} is not an integer", accepted)
-    if not low <= value <= high:
-        raise InputError(argument, f"{value} is out of range", accepted)
-    return value
-
-
-def _shown(text: str) -> str:
-    """The offending text for a one-line message: quoted, and cut if long."""
-    return repr(text if len(text) <= 60 else text[:57] + "...")

@@ -56,7 +56,8 @@ def derivations(words: str | None = None) -> tuple[DerivationRecord, ...]:
             "words", "is no text", "words of a title (closed sum), a paper (Smith) or the id of a statement"
         )
     known = {d.name: d for d in _all()}
-    named = [d for d in _all() if words.strip() in (d.name, *d.statements)]
+    asked = words.strip()
+    named = [d for d in _all() if asked in d.statements or "-".join(asked.lower().split()) == d.name]
     found = named or [known[key.partition(":")[2]] for key in ranked(searched(), words)]
     if not found:
         pages = "; ".join(map(str, documentation(words)[:3]))

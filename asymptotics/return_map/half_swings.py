@@ -39,6 +39,7 @@ from asymptotics.return_map.quarters import quarter_swings
 # and the limit is for noise that goes on falling.
 _GUARD, _ROUNDS = 32, 60
 _ROOM = 1 + arb(2) ** -20  # for what midpoints drop
+_LONGER = 1 + arb(2) ** -26  # than what is asked for
 _MORE = 8  # nodes of the guess beyond twice the terms of R: a choice
 _SHARE = 0.93  # of the reach in doubles: a node more costs less than a second majorant
 
@@ -85,8 +86,10 @@ class HalfSwings:
             # z -> -z turns every delta_i = epsilon_i z^k_i, which is a quarter backwards in time: one interpolant on
             # [-z, z] instead of two.
             odd = coordinate.is_odd
-            middle, half = (arb(0), last) if odd else (last / 2, last / 2)
-            return cls._about(coordinate, middle, half, bits, odd)._guessed(bits)
+            # A little longer at both ends, so that a rounded place next to one of them lies inside; no node of it is
+            # below 0, as the first one is about (pi/4 m)^2 of the interval from its end.
+            middle, half = (arb(0), last * _LONGER) if odd else (last / 2, last / 2 * _LONGER)
+            return replace(cls._about(coordinate, middle.mid(), half.mid(), bits, odd), last=last)._guessed(bits)
 
     @classmethod
     def between(cls, coordinate: Coordinate, first: arb, last: arb, growth: arb, bits: int) -> "HalfSwings":
@@ -127,7 +130,7 @@ class HalfSwings:
             if part
         ]
         root = None if coordinate.root is None else arb(coordinate.root)
-        return cls(root, both[0], both[-1], -1 if odd else 1, (middle + half).mid())
+        return cls(root, both[0], both[-1], -1 if odd else 1, middle + half)
 
     def _guessed(self, bits: int) -> "HalfSwings":
         """The same with L nearly, for an interval from 0: as many nodes as R took terms, and some more."""

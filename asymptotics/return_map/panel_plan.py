@@ -3,14 +3,14 @@
 A panel is worth its nodes if it saves more half-swings than it costs.
 
 * Where z is a power of the amplitude: an interval [0, z_top] out of a fixed row, z_top = 1/2 of the reach and ever
-  halves of that (``from_zero``), and 4/5 (``farthest``), so that a map that is asked again finds what it has.
+  shorter by the root of 2 (``from_zero``), and 4/5 (``farthest``), so that a map that is asked again finds what it has.
 * Where z = ln A: from the present amplitude to a smaller one, out of a few (``between``).  Amplitudes to come are
   guessed from the averaged law of each term, A' = -M_(alpha+1) epsilon A^alpha, followed in turn for a half-swing.
 
 >>> from asymptotics.numbers.exact import ExactReal
 >>> linear_and_quadratic = Coordinate.of([(arb(1) / 20, ExactReal(1)), (arb(1), ExactReal(2))])
 >>> long, short = (from_zero(linear_and_quadratic, z, 120, quartered=True) for z in (0.2, 1e-3))
->>> (long.first, 0.2 < long.last < 0.5, 40 < long.nodes < 100, short.last <= long.last) if long and short else None
+>>> (long.first, 0.2 < long.last < 0.5, 30 < long.nodes < 100, short.last <= long.last) if long and short else None
 (0.0, True, True, True)
 >>> from_zero(linear_and_quadratic, 1.0, 120, quartered=True) is None
 True
@@ -37,13 +37,14 @@ _RANGE = 990.0  # log2 of the largest |z| looked at
 # In the unit in which a half-swing by pieces costs 1: measured at 80 bits for alpha = 3/2.  They decide only from how
 # many half-swings on a panel is worth while.
 _AT_ONCE, _A_NODE = 4, 0.6  # half-swings by pieces: what quarter-swings cost however few they are, and each of them
-_OF_REACH, _FARTHEST = tuple(2.0**-k for k in range(1, 22)), 0.8  # the last places of the panels from 0
-_CHEAP, _DEARER = 50, 1.3  # half-swings by pieces, or the part of the shortest: what a longer panel may cost
+_OF_REACH, _FARTHEST = tuple(2.0 ** -(k / 2) for k in range(2, 43)), 0.8  # the last places of the panels from 0
+# Half-swings by pieces, or the part of the shortest: what a longer panel may cost, as the first of a map and after it.
+_CHEAP, _CHEAP_AGAIN, _DEARER = 20, 50, 1.1
 _DOWN = tuple(
     k * log(2) for k in (0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768)
 )
 _DENSE = 8  # starts looked at one by one; then ever fewer
-_STEPS = 24  # of a quarter
+_STEPS, _FINE = 24, 200  # of a quarter; one reach is found for many half-swings
 _MARGIN = 2.0**-10  # a panel of ln A begins that much above the amplitude it is made for: the error of it lies inside
 
 
@@ -99,10 +100,11 @@ def verified(coordinate: Coordinate, middle: arb, half: arb, stretch: float, *, 
     raise UndecidedError("no ellipse about the panel is proved to lie in the domain of the half-swing")
 
 
-def from_zero(coordinate: Coordinate, z: float, bits: int, *, quartered: bool) -> PanelPlan | None:
+def from_zero(coordinate: Coordinate, z: float, bits: int, *, quartered: bool, again: bool = False) -> PanelPlan | None:
     """The interval from 0 that shall hold z >= 0, a power of the amplitude; None beyond half of the reach.
 
-    The longest of a row that is not much dearer than the shortest; ``quartered``: read off quarter-swings.
+    The longest of a row that is not much dearer than the shortest; ``quartered``: read off quarter-swings; ``again``:
+    of a map that has a panel already, so that longer ones are asked for.
     """
     plans: list[PanelPlan] = []
     for share in _OF_REACH:
@@ -113,7 +115,7 @@ def from_zero(coordinate: Coordinate, z: float, bits: int, *, quartered: bool) -
     if not plans:
         return None
     # A longer one serves more laws.
-    most = max(_CHEAP, _DEARER * plans[-1].work(quartered))
+    most = max(_CHEAP_AGAIN if again else _CHEAP, _DEARER * plans[-1].work(quartered))
     return next((p for p in plans if p.work(quartered) <= most), plans[-1])
 
 
@@ -210,7 +212,7 @@ def reach_of(coordinate: Coordinate, *, whole: bool = True) -> float:
     low, high = -_RANGE, _RANGE
     while high - low > 0.03:
         middle = (low + high) / 2
-        low, high = (middle, high) if _exists(coordinate, 0.0, 2.0**middle, whole) else (low, middle)
+        low, high = (middle, high) if _exists(coordinate, 0.0, 2.0**middle, whole, _FINE) else (low, middle)
     return float(2.0**low) if low > -_RANGE else 0.0
 
 
@@ -232,21 +234,21 @@ def widest(coordinate: Coordinate, middle: float, half: float, *, whole: bool = 
     return below
 
 
-def _exists(coordinate: Coordinate, middle: float, half_axis: float, whole: bool = True) -> bool:
+def _exists(coordinate: Coordinate, middle: float, half_axis: float, whole: bool = True, count: int = _STEPS) -> bool:
     """Whether the majorant seems to exist there: its equation by midpoint steps in doubles."""
     try:
         high, low = (_strengths(coordinate, middle + side * half_axis) for side in (1, -1))
         sizes = [max(pair) for pair in zip(high, low, strict=True)] if coordinate.root is None else high
         growth, slopes = 0.0, [abs(float(a) - 1) for a in coordinate.exponents]
-        steps = _quarter(tuple(map(float, coordinate.exponents)))
-        for sines, products in steps if whole else steps[:_STEPS]:
+        steps = _quarter(tuple(map(float, coordinate.exponents)), count)
+        for sines, products in steps if whole else steps[:count]:
             strengths = [size * exp(slope * growth) for size, slope in zip(sizes, slopes)]
             room = 1 - sum(map(mul, strengths, products))
             # 1 - C* so small, or a growth e^4, in doubles: the balls of 256 pieces would not prove it, or the bound
             # would be useless.
             if not room > 0.02 or growth > 4:
                 return False
-            growth += pi / 2 / _STEPS * sum(map(mul, strengths, sines)) / room
+            growth += pi / 2 / count * sum(map(mul, strengths, sines)) / room
     except OverflowError:
         return False
     return True
@@ -260,9 +262,9 @@ def _strengths(coordinate: Coordinate, z: float) -> list[float]:
 
 
 @lru_cache(maxsize=64)
-def _quarter(alphas: tuple[float, ...]) -> list[tuple[list[float], list[float]]]:
+def _quarter(alphas: tuple[float, ...], count: int) -> list[tuple[list[float], list[float]]]:
     """s^(alpha_i+1) and s^alpha_i |c| at the middles of the steps of two quarters."""
-    angles = [pi / 2 * (j + 0.5) / _STEPS for j in range(2 * _STEPS)]
+    angles = [pi / 2 * (j + 0.5) / count for j in range(2 * count)]
     return [([sin(t) ** (a + 1) for a in alphas], [sin(t) ** a * abs(cos(t)) for a in alphas]) for t in angles]
 
 

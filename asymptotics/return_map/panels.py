@@ -150,7 +150,7 @@ class ReturnMap:
     def _from_zero(self, z: arb, remaining: int) -> PanelPlan | None:
         """The interval that holds z, if the half-swings that it would have served and will serve repay it."""
         place, c = float(z.upper()), self.coordinate
-        plan, beyond = from_zero(c, place, self.bits, quartered=self.quartered), 0.0
+        plan, beyond = from_zero(c, place, self.bits, quartered=self.quartered, again=bool(self.made)), 0.0
         if plan is None:
             plan, beyond = farthest(c, self.bits, quartered=self.quartered), 0.5 * reach_of(c, whole=not self.quartered)
         if not place <= plan.last or plan in self.refused:
@@ -233,7 +233,10 @@ class Panels:
         panel = self.map.panel(wide, remaining)
         if panel is None:
             return None
-        return panel.half_swing(wide if error == 0 else self.place(p), wide)
+        try:
+            return panel.half_swing(wide if error == 0 else self.place(p), wide)
+        except UndecidedError:  # an amplitude so uncertain that it may end outside: the pieces may tell
+            return None
 
     def place(self, p: arb) -> arb:
         """z at an amplitude > 0 of this law, in the unit of the ray."""

@@ -12,7 +12,8 @@ from typing import Any
 from asymptotics.ask.answers import read_points
 from asymptotics.ask.question import Question
 from asymptotics.errors import InputError
-from asymptotics.numbers.exact import parse_integer, parse_real
+from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.integers import parse_integer
 from asymptotics.present.drawn import Drawn, pictured
 from asymptotics.present.figures import DPI, MAX_DPI, MIN_DPI
 from asymptotics.present.files import require_different, target_file, write_all
@@ -76,7 +77,9 @@ def write_files(
     # All contents before the first byte is written: a picture that fails leaves no table behind.
     contents = {path: makers[argument](_kind(path, argument)) for argument, path in files.items()}
     table = contents.get(files["--csv"]) if "--csv" in files and options is not None else None
-    if isinstance(table, str):
+    again = None if question is None else question.offers.again
+    # A table that holds its request itself, with its data in the place of their file, has it already.
+    if isinstance(table, str) and not (again is not None and again.words):
         words = [] if question is None or options is None else question.words(options)
         contents[files["--csv"]] = (
             with_words(table, words)

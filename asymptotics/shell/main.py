@@ -124,9 +124,7 @@ def run(argv: list[str] | None = None) -> int:
         typed(options)
         return _shown(name, command, options)
     except InputError as error:
-        complain(
-            f"asymptotics {name}: {as_option(error, options, _written(parser), _OPTIONS | command.question.feeds())}"
-        )
+        complain(f"asymptotics {name}: {as_option(error, options, _written(parser), command.question.feeds())}")
         return 2
     except ValueError as error:
         # Python's limit on the digits of an int (4300) is met where a fraction is printed: an answer too long to be
@@ -183,15 +181,17 @@ def as_option(
 ) -> InputError:
     """The same error with the library's name of a parameter turned into the option that set it.
 
-    ``written``: what options are called that are kept under other names (``--from`` under ``table``).
+    ``written``: what options are called that are kept under other names (``--from`` under ``table``); ``feeds``: the
+    options that may have set a parameter.
 
     >>> line = argparse.Namespace(alpha=None, damping="-1", law=["2:-1"])
-    >>> str(as_option(InputError("b", "-1 is negative", "b >= 0"), line))
+    >>> feeds = {"b": ("law", "damping")}
+    >>> str(as_option(InputError("b", "-1 is negative", "b >= 0"), line, feeds=feeds))
     'argument --law: -1 is negative (accepted: b >= 0)'
     >>> as_option(InputError("table", "is gone", "a file"), argparse.Namespace(table="a"), {"table": "--from"}).argument
     '--from'
     """
-    names = [name.replace("-", "_") for name in (feeds or _OPTIONS).get(error.argument, (error.argument,))]
+    names = [name.replace("-", "_") for name in feeds.get(error.argument, (error.argument,))]
     # Of several options that feed one parameter the one that was typed is meant; without any, the first that exists.
     given = [name for name in names if getattr(options, name, None) not in (None, False)]
     known = given or [name for name in names if hasattr(options, name)]
@@ -200,17 +200,6 @@ def as_option(
         return error
     option = written.get(known[0], f"--{known[0].replace('_', '-')}")
     return type(error)(option, error.reason, error.accepted)
-
-
-_OPTIONS = {  # a parameter of the library: the options that may have set it
-    "alpha": ("law", "alpha"),
-    "alphas": ("law", "alpha"),
-    "law": ("law", "alpha"),
-    "b": ("law", "damping", "epsilon"),
-    "epsilon": ("law", "epsilon", "damping"),
-    "amplitude": ("amplitude", "x0"),
-    "omega_0": ("omega0",),
-}
 
 
 def _description() -> str:

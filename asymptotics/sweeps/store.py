@@ -41,7 +41,7 @@ class Store:
             # Only a folder that is new or empty becomes a store: nobody's other files get shards put among them.
             new = create and not about.exists() and not (folder.exists() and any(folder.iterdir()))
             if new or self.rebuilt:
-                require_writable(folder / "shards", "store")
+                require_writable(folder / "shards", "folder")
                 write_atomically(
                     about, json.dumps({"format": FORMAT, "version": __version__, "made_by": made_by()}) + "\n"
                 )

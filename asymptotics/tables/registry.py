@@ -12,7 +12,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from asymptotics.errors import InputError
-from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.integers import require_integer
 from asymptotics.running.cut_short import changed
 from asymptotics.tables.cells import Rows, round_rows, rounded_so_far
 from asymptotics.tables.inputs import Inputs

@@ -24,7 +24,7 @@ import mpmath
 
 from asymptotics.errors import InputError
 from asymptotics.numbers.decimal_context import workdps
-from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.integers import require_integer
 from asymptotics.present.shown import Page, Rows
 
 GUARD = 30

@@ -191,7 +191,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
         """Whether times were asked for."""
         return any(p.time is not None for p in self.points)
 
-    def columns(self) -> tuple[list[str], list[tuple[Any, ...]]]:
+    def named_columns(self) -> tuple[list[str], list[tuple[Any, ...]]]:
         """n, x and the time: the names with their units, and the rows."""
         frame = self.frame
         return ["n", frame.named("x"), frame.named(frame.time)], [(p.n, p.x, p.time) for p in self.points]
@@ -218,7 +218,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
         return "\n".join([*lines, f"certified: {str(self.certified).lower()} ({self.method})"])
 
     def _page(self) -> Page:
-        head, rows = self.columns()
+        head, rows = self.named_columns()
         shown = 3 if self.timed else 2
         worth = f"{'certified' if self.certified else 'not certified'}, {self.digits} digits ({self.method})"
         end = () if self.ended is None else (f"ended: {self.ended}",)
@@ -233,7 +233,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
         draw_sizes(axes, self.points, f"|x| ({self.unit})" if self.unit else "|x| / x0", style)
 
     def _table(self) -> dict[str, list[Any]]:
-        (_, place, time), rows = self.columns()
+        (_, place, time), rows = self.named_columns()
         columns = {"n": [row[0] for row in rows]} | spread(place, [row[1] for row in rows], certified=self.certified)
         return columns | (spread(time, [row[2] for row in rows], certified=self.certified) if self.timed else {})
 

@@ -25,7 +25,8 @@ from flint import arb
 from asymptotics.errors import InputError
 from asymptotics.flow.turning import TurningState
 from asymptotics.law import Law
-from asymptotics.numbers.exact import ExactReal, require_integer
+from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.running.budget import tick
 from asymptotics.running.cut_short import keeping

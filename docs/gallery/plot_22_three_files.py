@@ -1,6 +1,6 @@
 """
-Three files to try
-==================
+Three files to try: which law?
+==============================
 
 Three records come with the program (``asymptotics identify --example phone``, ``ship``, ``ringdown``; what they are
 stands in ``asymptotics/decays/identification/data``): a phone on a pendulum, the roll of a tanker model, the level of

@@ -315,7 +315,7 @@ def slope_small(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.dropping-the-slope", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
-    derivation="lelas-friction-stop", line=2,
+    derivation="lelas-friction", line=19,
     shortfall=Shortfall.CONSEQUENCE,
     title="|f'| << omega_0 is enough to drop f' from the velocities",
     latex=r"|\dot f(t)| \ll \omega_0 \text{ for all } t \text{, thus } v_1(t) = -\omega_0x_0f(t)\sin(\omega_0t)",
@@ -365,7 +365,7 @@ def initial_amplitude(form: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.amplitude-not-negative", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.PROVED,
-    derivation="lelas-friction-stop", line=4,
+    derivation="lelas-friction", line=21,
     shortfall=Shortfall.CONSEQUENCE,
     title="f(0) = 1 and f decreasing imply f >= 0 for all t",
     latex=r"f(t) \ge 0 \text{ must also hold, for all } t \ge 0",

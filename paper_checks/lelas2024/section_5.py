@@ -264,7 +264,7 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 )
 @statement(
     id="lelas2024:value.tau-tilde-a", premises=(1, 2),
-    derivation="lelas-friction-stop", line=8,
+    derivation="lelas-line-end", line=4,
     kind=Kind.NUMBER, verdict=Printed.MISPRINT, evidence=Evidence.CERTIFIED, digits=4,
     title="tau-tilde for mu = 0.01", latex=r"\tilde{\tau} = 14.33\,\mathrm{s}",
     corrected_latex=r"\tilde{\tau} = 14.32\,\mathrm{s}", printed=("14.33", TAU_TILDE, PANELS[0]),
@@ -275,7 +275,7 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 )
 @statement(
     id="lelas2024:value.tau-tilde-b", premises=(1, 2),
-    derivation="lelas-friction-stop", line=8,
+    derivation="lelas-line-end", line=4,
     kind=Kind.NUMBER, verdict=Printed.MISPRINT, evidence=Evidence.CERTIFIED, digits=3,
     title="tau-tilde for mu = 0.03", latex=r"\tilde{\tau} = 4.78\,\mathrm{s}",
     corrected_latex=r"\tilde{\tau} = 4.77\,\mathrm{s}", printed=("4.78", TAU_TILDE, PANELS[1]),
@@ -292,7 +292,7 @@ def stop_time(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 )
 @statement(
     id="lelas2024:value.tau-exact-b", premises=(1, 2),
-    derivation="lelas-friction-stop", line=10,
+    derivation="lelas-line-end", line=6,
     kind=Kind.NUMBER, verdict=Printed.MISPRINT, evidence=Evidence.CERTIFIED, digits=3,
     title="The exact stop time for mu = 0.03", latex=r"\tau_{ex} = 4.93\,\mathrm{s}",
     corrected_latex=r"\tau_{ex} = 4.92\,\mathrm{s}", printed=("4.93", 7 * sympy.pi / w0, PANELS[1]),
@@ -348,7 +348,7 @@ def better_approximation(factor: sympy.Expr) -> Outcome:
 
 @statement(
     id="lelas2024:claim.describes-well", kind=Kind.CLAIM, verdict=Printed.PARTLY, evidence=Evidence.MEASURED, order="0",
-    derivation="lelas-friction-stop", line=6,
+    derivation="lelas-line-end", line=2,
     shortfall=Shortfall.CONSEQUENCE,
     extent="sampled: 2 points",
     title="(47) describes the dynamics very well if (50) is valid", printed=1, corrected=0, near_miss=2,

@@ -81,7 +81,8 @@ FIRST_INTEGRAL = sympy.exp(-2 * C * x / m) * (v**2 / 2 - w0**2 * m * x / (2 * C)
     corrected_latex=r"e^{-2Cx/m}\left(\frac{v^2}{2} - \frac{\omega_0^2m}{2C}x - \frac{\omega_0^2m^2}{4C^2}\right) ="
     r" \mathrm{const.}",
     near_miss=FIRST_INTEGRAL.subs(C, -C),
-    conditions="true of an elementary x(t); shown for v < 0, the other half-swing by x -> -x",
+    conditions="true of an elementary x(t) (smith2012:claim.not-elementary); shown for v < 0, the other half-swing by"
+    " x -> -x",
     methods=("derivative along the motion",),
     note="The paper cites Smith 2012, who solves it half-swing by half-swing: an elementary v(x), turning points in"
     " closed form by Lambert's W, and t(x) by one quadrature. Form: a first integral, None if there is none.",

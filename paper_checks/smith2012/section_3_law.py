@@ -5,7 +5,7 @@ A pair of forms is always (falling, rising), the order of the paper's double sig
 
 import sympy
 
-from paper_checks.identities import all_confirmed, decided, same, vanishes
+from paper_checks.identities import all_confirmed, decided, opposite, same, vanishes
 from paper_checks.registry import statement
 from paper_checks.smith2012.model import (
     FALLING_FORCE,
@@ -288,22 +288,29 @@ def dimensionless_constants(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
 
 
 @statement(
-    id="smith2012:claim.not-elementary", kind=Kind.CLAIM, verdict=Printed.OPEN, evidence=Evidence.NONE,
-    derivation="smith-not-elementary",
+    id="smith2012:claim.not-elementary", kind=Kind.CLAIM, verdict=Printed.HOLDS, evidence=Evidence.PROVED,
+    derivation="smith-motion-not-elementary", line=12,
     title="The equation of motion cannot be solved in terms of elementary functions",
     latex=r"\text{this one is problematic because it cannot be solved in terms of elementary functions}",
-    printed=None, near_miss=sympy.cos(TAU), conditions="x(t) on a half-cycle, from general initial values",
-    methods=("substitution of what is proposed",),
-    note="Open: one half of it, x(t). The other is closed: t(x), the integral (54), is not elementary unless S = 0, by"
-    " Liouville's theorem (line 20 of the derivation, see claim.not-in-tables): no elementary function of the position"
-    " gives the time. That its inverse x(t) is not elementary either is believed, and proved neither in the paper nor"
-    " here. One motion is elementary, u = tau^2/4 - 1/2 with S = 0, which has no turning point before it. Form: an"
-    " expression u(tau) proposed as the motion, None if there is said to be none.",
+    printed=None, near_miss=sympy.cos(TAU), conditions="S != 0, as between two turning points",
+    methods=("first integral solved for e^{2u} and for u", "substitution of what is proposed"),
+    note="Both halves are proved, neither in the paper: the time t(x), the integral (54), is not elementary (see"
+    " claim.not-in-tables), and neither is its inverse x(t): u and e^{2u} would enter a tower of exponentials and"
+    " logarithms at one step, and with u' either gives the other. One motion is elementary, u = tau^2/4 - 1/2 with"
+    " S = 0, which has no turning point before it. Form: an expression u(tau) proposed as the motion, None if there is"
+    " said to be none.",
 )
 def not_elementary(form: sympy.Expr | None) -> Outcome:
-    """u'' = u'^2 - u for an expression; nothing is decided about all expressions."""
-    special = TAU**2 / 4 - HALF
-    known = vanishes(sympy.diff(special, TAU, 2) - sympy.diff(special, TAU) ** 2 + special)
-    if form is None:
-        return Outcome.UNDECIDED if known == Outcome.CONFIRMED else Outcome.REFUTED
-    return vanishes(sympy.diff(form, TAU, 2) - sympy.diff(form, TAU) ** 2 + form)
+    """None: S = S^-(u, w) has one e^{2u} and one u, rational in the rest, as the derivation needs.  An expression:
+    whether it is a motion with S != 0."""
+    if form is not None:
+        pace = sympy.diff(form, TAU)
+        motion = vanishes(sympy.diff(pace, TAU) - pace**2 + form)
+        return all_confirmed(motion, opposite(vanishes(S_falling(form, pace))))
+    S, wave = sympy.symbols("S theta", nonzero=True)
+    level = sympy.expand(S_falling(u, w) * exp(2 * u) - S * wave)
+    first, second = (sympy.solve(level, letter) for letter in (wave, u))
+    return all_confirmed(
+        *(vanishes(level.subs({wave: first[0]})), vanishes(level.subs({u: second[0]}))),
+        decided(len(first) == len(second) == 1, *(f.is_rational_function(u, w, wave) for f in first + second)),
+    )

@@ -183,3 +183,12 @@ def test_a_table_in_degrees_is_read_back_as_the_law(tmp_path, capsys):
     found = asy.damping_law(table, laws=["1", "2", "1+2"], spring="pendulum")
     assert found.laws[0].name == "1+2"
     assert [s.estimate for s in found.laws[0].strengths] == pytest.approx([0.02, 0.05], rel=1e-6)
+
+
+def test_what_is_not_asked_for_is_twelve_digits_and_the_motion_and_no_series():
+    """Of a spring that is linear, and numbers without a unit."""
+    plain = asy.damping({1: "1/10"}, "1")
+    assert plain.digits == 12 and plain.order is None and plain.to_dict()["digits"] == 12
+    (row,) = plain.rows
+    assert row.motion is not None and row.expanded is None
+    assert float(row.motion.period) == pytest.approx(2 * np.pi / np.sqrt(1 - 0.0025), rel=1e-11)

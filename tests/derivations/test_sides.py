@@ -56,7 +56,7 @@ def test_a_decimal_in_the_words_is_a_number_of_the_line(name):
 
 
 def test_a_decimal_that_is_wrong_is_noticed():
-    steps = import_module("derivations.lelas_friction_stop").derivation.steps
+    steps = import_module("derivations.lelas_line_end").derivation.steps
     assert untied([replace(step, reason=step.reason.replace("0.0997", "0.0979")) for step in steps]) == ["0.0979"]
 
 

@@ -64,3 +64,9 @@ def test_it_is_a_column_and_a_curve(tmp_path):
     found.plot(quantity="omega").figure.savefig(tmp_path / "backbone.svg")
     with pytest.raises(InputError, match="period, omega"):
         found.plot(quantity="frequency")
+
+
+def test_where_no_swing_can_be_enclosed_the_first_order_stands():
+    # failed at first: the times of such a swing asked for more than the whole request may take
+    row = asy.damping({2: "1e400"}, 1, digits=12, max_seconds=5).rows[0]
+    assert row.motion.reason and row.motion.period is None and row.first.period

@@ -41,7 +41,7 @@ def test_every_rung_of_an_orbit_holds_what_is_above_it(losses, spring):
     def numbers(bits):
         with ctx.workprec(bits):
             o = orbit(losses, spring)
-            return o.energy, o.force, o.lost, o.action, o.zeta, o.quality, o.decrement, o.coefficient
+            return o.energy, o.force, o.lost, o.action, o.period, o.zeta, o.quality, o.decrement, o.coefficient
 
     truth = numbers(200)
     for bits in (30, 53, 90, 140):

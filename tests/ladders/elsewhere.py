@@ -56,7 +56,7 @@ ELSEWHERE: Names = {
     **each(
         "equivalent.conservative_cycle",
         "ConservativeCycle.of ConservativeCycle.zeta ConservativeCycle.quality ConservativeCycle.decrement "
-        "ConservativeCycle.coefficient",
+        "ConservativeCycle.coefficient ConservativeCycle.period",
         "test_every_rung_of_an_orbit_holds_what_is_above_it",
     ),
     **each(

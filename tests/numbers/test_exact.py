@@ -5,7 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from asymptotics.errors import InputError
-from asymptotics.numbers.exact import ExactReal, parse_integer, parse_rational, parse_real, require_integer, square_root
+from asymptotics.numbers.exact import ExactReal, parse_rational, parse_real, square_root
+from asymptotics.numbers.integers import parse_integer, require_integer
 
 
 @given(st.fractions())

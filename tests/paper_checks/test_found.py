@@ -25,7 +25,7 @@ ASKED = {  # what is typed: what must be among the first five of its kind
     "closed form of the recurrence": ("smith2012:62b", "smith-closed-sum", ""),
     "quadratic drag amplitude": ("lelas2024:45", "lelas-air", ""),
     "where does the block stop": ("lelas2024:49", "lelas-friction-exact", ""),
-    "misprint": ("lelas2024:10", "smith-turning-points", ""),
+    "misprint": ("lelas2024:10", "lelas-viscous", ""),
     "hysteretic": ("", "equivalent-damping", "docs/words: Hysteretic damping"),
     "loss factor": ("", "equivalent-damping", "docs/words: Loss factor"),
     "structural damping": ("", "equivalent-damping", "docs/words: Structural damping"),

@@ -29,6 +29,14 @@ def test_found_by_words_a_name_or_the_id_of_a_statement(words, first):
     assert derivations(words)[0].name == first
 
 
+def test_a_derivation_belongs_to_the_paper_of_its_name():
+    for d in derivations():
+        author = d.name.partition("-")[0]
+        if author in ("lancaster", "lelas", "smith") and d.statements:
+            assert d.paper.startswith(author), d
+        assert not d.paper or any(i.startswith(d.paper) for i in d.statements)
+
+
 @pytest.mark.parametrize("words", ["zzzz", "", "  ", 3])
 def test_what_is_not_found_is_said(words):
     with pytest.raises(InputError, match="argument words"):

@@ -9,6 +9,8 @@ import typing
 from dataclasses import is_dataclass
 from functools import cache
 
+import sympy
+
 import asymptotics as asy
 
 PARTS = {  # what stands inside a result and is no answer of its own
@@ -23,7 +25,7 @@ PARTS = {  # what stands inside a result and is no answer of its own
     "decays.identification.judging.laws.Judged": "the judged law behind LawAnswer",
     "decays.identification.measuring.observations.Observations": "the data as they were read",
     "decays.identification.fitting.printed.Decrements": "the data as they were read",
-    "decays.identification.telling.result.RecordUnits": "the units of the data",
+    "decays.identification.telling.record_units.RecordUnits": "the units of the data",
     "expansions.multiple_scales.initial.InitialConditions": "series behind MultipleScales",
     "expansions.multiple_scales.exact.OddHierarchy": "the kernel behind MultipleScales",
     "expansions.multiple_scales.turning.TurningHierarchy": "the kernel behind MultipleScales",
@@ -123,10 +125,15 @@ def types() -> tuple[type, ...]:
     for name in asy.__all__:
         found = getattr(asy, name)
         if inspect.isfunction(found):
-            _add(typing.get_type_hints(inspect.unwrap(found)).get("return"), seen)
+            _add(_hints(inspect.unwrap(found)).get("return"), seen)
         elif isinstance(found, type) and not issubclass(found, Exception):
             _add(found, seen)
     return tuple(sorted((t for t in seen if name_of(t) not in PARTS), key=name_of))
+
+
+def _hints(thing: object) -> dict[str, object]:
+    """The hints of a function or a class; SymPy is loaded late where it is only named."""
+    return typing.get_type_hints(thing, localns={"Expr": sympy.Expr})
 
 
 def _add(hint: object, seen: set[type]) -> None:
@@ -140,8 +147,8 @@ def _add(hint: object, seen: set[type]) -> None:
     for name, member in inspect.getmembers(hint):
         function = getattr(member, "fget", None) or getattr(member, "func", None) or member
         if (not name.startswith("_") or name == "__call__") and inspect.isfunction(function):
-            _add(typing.get_type_hints(inspect.unwrap(function)).get("return"), seen)
+            _add(_hints(inspect.unwrap(function)).get("return"), seen)
     if is_dataclass(hint):
-        for name, kind in typing.get_type_hints(hint).items():
+        for name, kind in _hints(hint).items():
             if not name.startswith("_"):
                 _add(kind, seen)

@@ -119,5 +119,20 @@ def test_an_interval_from_zero_holds_no_place_that_may_be_outside():
     swings = HalfSwings.up_to(coordinate((("2", "1/5"),)), arb("0.5"), 30)
     assert swings.holds(arb("0.5")) and swings.holds(arb("0.25", "0.2499")) and swings.holds(arb(2) ** -900)
     assert (
-        not swings.holds(arb("0.25", "0.2501")) and not swings.holds(arb("0.125", "0.13")) and not swings.holds(arb(0))
+        not swings.holds(arb("0.26", "0.245")) and not swings.holds(arb("0.125", "0.13")) and not swings.holds(arb(0))
     )
+
+
+@pytest.mark.parametrize("pairs", [(("3/2", "1"),), (("1", "1/20"), ("2", "1"))])
+@pytest.mark.parametrize("place", ["1e-40", "1e-12", "0.3125"])
+def test_the_ends_of_an_interval_from_zero_are_served(pairs, place):
+    """A rounded place next to 0 or to the last one is told to lie inside; refused for (1, 2) before."""
+    law, bits = coordinate(pairs), 40
+    swings = HalfSwings.up_to(law, arb("0.3125"), bits)
+    with ctx.workprec(bits):
+        z = arb(place).mid()
+        found = swings.half_swing(z, arb(z, z * arb(2) ** -30))
+    with ctx.workprec(110):
+        truth = integrated(law.damping(z), arb(1))
+    assert found.amplitude.contains(truth.amplitude) and found.duration.contains(truth.duration)
+    assert found.amplitude.rad() < arb(2) ** -28

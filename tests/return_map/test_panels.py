@@ -67,10 +67,15 @@ def test_only_the_places_of_the_panel_are_served():
     assert not panel.holds(arb("0.625", "0.376")) and not panel.holds(arb("0.2499")) and not panel.holds(arb("1.001"))
 
 
-def test_an_amplitude_that_may_be_0_has_no_half_swing():
+@pytest.mark.parametrize("quartered", [True, False])
+def test_an_amplitude_that_may_be_0_has_no_half_swing(quartered):
     panels = Panels.alone(Law({2: "1/10"}), 30)
+    panels.map.quartered = quartered
     assert panels.half_swing(arb(2) ** -400, arb(0), 1000) is not None
+    assert panels.half_swing(arb("0.125"), arb("0.0625"), 1000) is not None
     assert panels.half_swing(arb("0.125"), arb("0.125"), 1000) is None
+    # So uncertain that the ends of the half-swings may lie outside the interval of the quarters: by pieces.
+    assert (panels.half_swing(arb("0.125"), arb("0.124"), 1000) is None) == quartered
 
 
 @pytest.mark.parametrize("exponents", [{"1/2": "1/500"}, {"2": "1/5"}, {"1/2": "1/500", 1: "1/500"}])

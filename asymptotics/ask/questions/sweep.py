@@ -15,7 +15,7 @@ from asymptotics.ask.question import question
 from asymptotics.ask.registry import SWEPT
 from asymptotics.ask.typed import typed_options
 from asymptotics.errors import InputError, require_choice, shown
-from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.integers import parse_integer
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.running.progress import progress_bar
 from asymptotics.sweeps.export import export, require_format

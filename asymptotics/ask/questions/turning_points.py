@@ -80,7 +80,7 @@ def _data(found: Any, request: Request) -> dict[str, Any]:
 
 
 def _csv(found: TurningPoints, request: Request) -> str:
-    head, rows = found.columns()
+    head, rows = found.named_columns()
     if found.oscillator is None:
         head[1] = _HEADS[cast("Given", request["law"]).x_unit] or "x"
     return csv_text(head, rows)

@@ -37,7 +37,7 @@ from asymptotics.law import Oscillator, of_unit_start
 from asymptotics.numbers.digits import spread
 from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.double_words import stated_errors
-from asymptotics.numbers.exact import parse_integer
+from asymptotics.numbers.integers import parse_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.figures import counted

@@ -86,12 +86,12 @@ def law_of_table(
         quantity, notes = "decrement", (*notes, *said)
     else:
         places, values = given, _positive(columns[quantity], quantity)
-        if quantity == "zeta" and not float(values.min()) < 1:
-            reason = f"the smallest is {values.min():g}: from 1 on nothing swings"
-            raise InputError("zeta", reason, "a ratio below 1, or per cent in a column zeta [%]")
     # One row more than strengths, or chi^2 has no degree of freedom and every candidate fits; two amplitudes alone give
     # the strength of each law of one term, and test none.
     candidates, skipped = _candidates(laws, len(values) if between and len(values) == 1 else len(values) - 1)
+    if quantity == "zeta" and not float(values.min()) < 1:
+        reason = f"the smallest is {values.min():g}: from 1 on nothing swings"
+        raise InputError("zeta", reason, "a ratio below 1, or per cent in a column zeta [%]")
     # m = k = 1 without them: b is epsilon then, in the unit of the amplitudes.
     problem = Problem(quantity, candidates, mass or 1, stiffness or 1, spring, between)
     table_of = places.tolist(), values.tolist(), None if spread is None else spread.tolist()

@@ -126,7 +126,7 @@ def as_zeta(quantity: str, values: Any, resolution: Any) -> tuple[Any, Any]:
     return values * factor, resolution * factor
 
 
-def columns(problem: Problem, alphas: Sequence[str], amplitudes: Any, zeta: Any) -> Any:
+def columns(problem: Problem, alphas: Sequence[str], amplitudes: Any, zeta: Any = None) -> Any:
     """z_i(A_j): zeta of a unit strength, one column an exponent; of pairs of amplitudes the mean in between."""
     if problem.between:
         return means([partial(_unit, problem, alpha) for alpha in alphas], np.asarray(amplitudes), zeta)

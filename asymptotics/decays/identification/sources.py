@@ -66,7 +66,7 @@ def load(
         raise type(error)("FILE", f"{error.reason}; {told}", error.accepted) if told else error from None
 
 
-def _motions(table: RecordTable, modes: int) -> list[Observations]:
+def _motions(table: RecordTable, modes: int = 1) -> list[Observations]:
     t = table.columns["t"]
     pieces = runs_of(t)
     found: list[Observations] = []
@@ -80,7 +80,7 @@ def _motions(table: RecordTable, modes: int) -> list[Observations]:
     return found
 
 
-def _decays(run: RecordTable, modes: int) -> list[Observations]:
+def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
     """Each release of a run, without the samples that are spikes."""
     column = "xva"[_order(run)]
     t, x, rows, notes = straightened(run.columns["t"], run.columns[column], run.rows)
@@ -127,7 +127,9 @@ def _order(run: RecordTable) -> int:
     return ("record", "velocity", "acceleration").index(run.kind)
 
 
-def _decay(t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...], modes: int) -> Observations:
+def _decay(
+    t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...], modes: int = 1
+) -> Observations:
     if modes > 1 and len(t) >= LEAST_SAMPLES and np.ptp(x) > 0:
         kept = moving(t, x, dominant_period(t, x)) if _order(run) == 0 else slice(None)
         return with_mode_beside(t[kept], x[kept], unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
@@ -180,7 +182,11 @@ def _turning_points(table: RecordTable) -> Observations:
     _require_few(n[-1] - n[0], rows.where(len(n) - 1, "n"))
     if tau is not None:
         require_increasing(tau, "tau", rows)
-    seen = Observations.of(n.astype(int), x, () if tau is None else tau, unit=table.unit, name=name, notes=notes)
+    late = table.columns.get("sigma_t", ()) if tau is not None else ()
+    seen = Observations.of(
+        n.astype(int), x, () if tau is None else tau, sigma_x=table.columns.get("sigma_x", ()), sigma_t=late,
+        unit=table.unit, name=name, notes=notes,
+    )  # fmt: skip
     wrong = np.flatnonzero(seen.x * seen.sign < 0)
     # Noise may change the sign of the last points; more than a third is another numbering.
     if len(wrong) > max(2, len(x) // 3):

@@ -45,7 +45,7 @@ written twice."""
 def chosen(given: Source, kind: str | None, how: How) -> Choice:
     """The columns, and in the note how they were found; InputError with the option that says it, where it is asked."""
     names, said, notes = ordered(given, kind, how), how.columns, list[str]()
-    if names[-1] == CLOCK and not names_time(said):
+    if names and names[-1] == CLOCK and not names_time(said):
         said = ",".join([*([said] if said else []), f"t={len(names)}"])
     while True:  # each time round a column is settled: a time, and what is measured after it
         try:
@@ -92,7 +92,7 @@ def _settled(given: Source, names: Sequence[str], several: SeveralError) -> tupl
         return _clock(axes, names), f"of {listed}, which tell one time, the finest: --columns overrules"
     if not axes or several.column not in ("x", "v", "a"):
         return None, ""
-    if len({(quantity(names[i]), suffix(names[i])) for i in axes}) == 1:
+    if len({(quantity(names[i]), suffix(names[i]), bool(_ANGLE.search(names[i]))) for i in axes}) == 1:
         return carrying(axes), f"of {listed} it carries the oscillation (nine tenths of the line): --columns overrules"
     return _angle(axes, names), f"of {listed} it carries the oscillation: --columns overrules"
 

@@ -37,11 +37,12 @@ OPTIONAL = {
 }
 
 _WORDS = {
-    "time": "t time zeit tau temps tiempo tempo timestamp datetime x_value clock elapsed seconds sekunden",
+    "time": "t time zeit tau temps tiempo tempo timestamp datetime x_value clock elapsed seconds sekunden "
+    "millis micros",
     "position": "x y z position pos displacement phi theta angle angular winkel auslenkung roll pitch elongation weg "
-    "deflection distance \N{GREEK SMALL LETTER THETA} \N{GREEK SMALL LETTER PHI}",
+    "deflection distance \N{GREEK SMALL LETTER THETA} \N{GREEK SMALL LETTER THETA}r \N{GREEK SMALL LETTER PHI}",
     "velocity": "v velocity speed omega gyroscope gyro geschwindigkeit winkelgeschwindigkeit vx vy vz rate "
-    "\N{GREEK SMALL LETTER OMEGA}",
+    "gx gy gz wx wy wz gyr \N{GREEK SMALL LETTER OMEGA}",
     "acceleration": "a acc accel acceleration accelerometer beschleunigung ax ay az",
     "n": "n index",
     "amplitude": "amplitude",
@@ -77,6 +78,8 @@ def quantity(name: str) -> str:
     ['time', 'velocity', 'velocity', 'position', '', 'time']
     >>> [quantity(n) for n in ("Time A [s]", "Pos A", "Channel A", "a", "a_x", "mass_A: t", "t_days")]
     ['time', 'position', '', 'acceleration', 'acceleration', 'time', 'time']
+    >>> [quantity(n) for n in ("gx", "gyroZ", "AccX", "millis", "position")]
+    ['velocity', 'velocity', 'acceleration', 'time', 'position']
     """
     unit = suffix(name)
     # What stands before a colon is the run or the point that was followed.
@@ -84,7 +87,7 @@ def quantity(name: str) -> str:
     # Physicists write quantity/unit: what stands behind the slash is no word of the name.
     label = label.rpartition("/")[0] if re.search(r"\S\s*/\s*\S+\Z", label) and unit else label
     label = label.removesuffix("_" + unit) if unit else label
-    words = [w for w in re.split(r"[^\w]+|_|\d+", label.lower()) if w]
+    words = [_without_axis(w) for w in re.split(r"[^\w]+|_|\d+", label.lower()) if w]
     found = [_MEANING[w] for w in words if w in _MEANING and (len(w) > 1 or _is_letter_of(w, words))]
     by_unit = _by_unit(unit)
     # A name that is one word of the list as a whole, such as x_value, is cut into no others.
@@ -101,6 +104,11 @@ def quantity(name: str) -> str:
         if decisive in found and not (decisive == "time" and by_unit not in ("", "time")):
             return decisive
     return found[0] if found else by_unit
+
+
+def _without_axis(word: str) -> str:
+    """gyrox as gyro, accz as acc; another word as it is."""
+    return word[:-1] if len(word) > 3 and word[-1] in "xyz" and word[:-1] in _MEANING else word
 
 
 def _is_letter_of(letter: str, words: Sequence[str]) -> bool:

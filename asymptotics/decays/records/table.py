@@ -26,6 +26,7 @@ from asymptotics.decays.records.levels import amplitudes, is_logarithmic
 from asymptotics.decays.records.peaks import is_double, is_envelope, peaks_of_one_side
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.sources import How, Source, opened
+from asymptotics.decays.records.uncertainties import errors_of
 from asymptotics.decays.records.units import GRAVITY, SECONDS, UNITS, seconds, standard, suffix, unit_of
 from asymptotics.errors import InputError, require_choice
 
@@ -94,9 +95,27 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     # last.
     found = _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit, time)
     found = replace(found, read_as=lambda: read_as(given, choice))
-    if found.kind not in ("record", "envelope") or (kind is not None and found.kind == "record"):
-        return found
-    return _as_amplitudes(found, given.names[choice.places["x"]], given.frequency)
+    if found.kind in ("record", "envelope") and not (kind is not None and found.kind == "record"):
+        found = _as_amplitudes(found, given.names[choice.places["x"]], given.frequency)
+    return _with_errors(found, choice, given, time) if found.kind == "turning-points" else found
+
+
+def _with_errors(table: RecordTable, choice: Choice, given: Source, time: str) -> RecordTable:
+    """Turning points with the errors that stand beside them, as ``sigma_x`` and ``sigma_t``."""
+    places = errors_of(given.names, choice.places)
+    body = given.read(list(places.values()) or [choice.places["x"]])
+    rows = np.searchsorted(body.lines, table.rows.lines) if table.rows.lines is not None else slice(None)
+    errors = {f"sigma_{c}": body.columns[place][rows] for c, place in places.items()}
+    # One that is 0, or missing, weighs nothing.
+    errors = {c: values for c, values in errors.items() if (values > 0).all() and np.isfinite(values).all()}
+    if "sigma_t" in errors:
+        clock = given.names[places["t"]]
+        errors["sigma_t"] = errors["sigma_t"] * (seconds(clock, given.name, time) if suffix(clock) in SECONDS else 1.0)
+    if not errors:
+        return table
+    named = ", ".join(repr(given.names[places[c.removeprefix("sigma_")]]) for c in errors)
+    said = f"errors from {named}: their proportions weigh the fit, their size is found with it"
+    return replace(table, columns={**table.columns, **errors}, notes=(*table.notes, said))
 
 
 def _as_amplitudes(table: RecordTable, name: str, frequency: float | None) -> RecordTable:

@@ -43,6 +43,8 @@ _ALSO = {
 }  # fmt: skip
 # Run #1, Lauf 2, Latest: what recorders put before or behind a name.
 _RUN = re.compile(r"\b(?:run|lauf|latest|data set|set)\b\s*#?\s*\d*\s*:?", re.IGNORECASE)
+_CLOCKS = {"millis": "ms", "micros": "us", "milliseconds": "ms"}
+"""Names that are units: the clocks of small computers."""
 _NONE = ("n", "-", "1", "")
 """No unit: the index in x_n, and the ways to write that a number has none."""
 
@@ -86,6 +88,8 @@ def suffix(column: str) -> str:
     ('in', 'in', '')
     """
     column = without_run(column)
+    if column.lower() in _CLOCKS:
+        return _CLOCKS[column.lower()]
     found = re.fullmatch(r".*[\[(]([^\])]*)[\])]\s*", column)
     if found:
         return standard(found[1])

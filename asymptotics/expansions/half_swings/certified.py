@@ -50,7 +50,8 @@ from asymptotics.expansions.half_swings.certified_orders import (
 from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.quarter import QuarterSwing
 from asymptotics.numbers.context import ctx
-from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.numbers.exact import MAX_ORDER
+from asymptotics.numbers.integers import require_integer
 from asymptotics.running.budget import require_seconds
 from asymptotics.series import Series
 

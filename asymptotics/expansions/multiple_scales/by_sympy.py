@@ -25,7 +25,7 @@ from sympy import Expr, I, Integer, Symbol, cos, diff, exp, expand, pi, sin, sym
 from asymptotics.errors import InputError
 from asymptotics.expansions.multiple_scales.orders import a, psi
 from asymptotics.gauges import NO_FIRST_HARMONIC, TURNING_POINT
-from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.integers import require_integer
 from asymptotics.running.budget import tick
 
 MAX_ODD, MAX_QUADRATIC = 6, 4

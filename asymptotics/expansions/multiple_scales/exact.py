@@ -47,7 +47,8 @@ from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.forces import Forces, Given, Member
 from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.graded import WholePowers, monomial_part, summed
-from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.numbers.exact import MAX_ORDER
+from asymptotics.numbers.integers import require_integer
 from asymptotics.running.budget import tick
 from asymptotics.series import Key, Series, accumulate, monomials
 from asymptotics.terms import Term

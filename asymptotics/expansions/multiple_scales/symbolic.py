@@ -51,7 +51,7 @@ from asymptotics.expansions.multiple_scales.orders import (
 )
 from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
 from asymptotics.numbers.bridge import to_sympy
-from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.present.shown import Page, Shown
 from asymptotics.running.public import public

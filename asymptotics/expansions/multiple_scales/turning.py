@@ -43,7 +43,8 @@ from asymptotics.expansions.half_swings.pi_ring import PI, PiNumber
 from asymptotics.expansions.multiple_scales.ring import COSINE, ONE, PSI, SINE, ZERO, Wave
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.graded import WholePowers, monomial_part, summed
-from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.numbers.exact import MAX_ORDER
+from asymptotics.numbers.integers import require_integer
 from asymptotics.running.budget import tick
 from asymptotics.series import Key, Series, accumulate, monomials
 

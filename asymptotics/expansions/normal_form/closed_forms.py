@@ -20,7 +20,8 @@ from asymptotics.expansions.normal_form.spring_terms import cross_term
 from asymptotics.expansions.normal_form.symbolic import omega_2, symbolic_expansion
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.numbers.decimals import MAX_DIGITS, certified_decimal
-from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.numbers.exact import MAX_ORDER
+from asymptotics.numbers.integers import require_integer
 from asymptotics.terms import Term
 
 # From p_5 on nested integrals remain that reduce to no name (``multiple_scales.open_orders`` shows them).

@@ -43,7 +43,8 @@ from asymptotics.expansions.normal_form.symbolic import omega_2, second_order_su
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.decimals import MAX_DIGITS
-from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.numbers.exact import MAX_ORDER
+from asymptotics.numbers.integers import require_integer
 from asymptotics.running.budget import budget, seconds_left
 from asymptotics.series import Key, Series, monomials
 from asymptotics.terms import Term

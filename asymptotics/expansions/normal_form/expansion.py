@@ -33,7 +33,8 @@ from asymptotics.expansions.normal_form.gauges import (
     map_of_bracket,
 )
 from asymptotics.gauges import TURNING_POINT, require_gauge
-from asymptotics.numbers.exact import MAX_ORDER, require_integer
+from asymptotics.numbers.exact import MAX_ORDER
+from asymptotics.numbers.integers import require_integer
 from asymptotics.series import Series
 
 MAX_SECONDS = 60.0

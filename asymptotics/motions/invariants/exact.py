@@ -25,7 +25,7 @@ from math import prod
 
 from flint import fmpz_poly
 
-from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.integers import require_integer
 from asymptotics.running.budget import tick
 
 Row = dict[int, Fraction]

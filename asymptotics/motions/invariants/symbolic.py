@@ -29,7 +29,7 @@ from flint import arb, fmpq, fmpq_poly
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import inside
-from asymptotics.numbers.exact import require_integer
+from asymptotics.numbers.integers import require_integer
 from asymptotics.numbers.policy import Number
 from asymptotics.present.shown import Page, Shown
 from asymptotics.running.public import public

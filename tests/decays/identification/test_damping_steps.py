@@ -55,9 +55,9 @@ def test_quantities_become_the_damping_ratio_with_their_resolutions():
 
 def test_a_unit_strength_has_the_first_order_of_the_cycle():
     """1/2 for linear loss, 4 A/(3 pi) for quadratic, 2/(pi A) for friction; of mass and stiffness 1/(2 sqrt(m k))."""
-    found = columns(Problem("zeta", ()), ("1", "2", "0"), [0.5, 1.0])
+    found = columns(Problem("zeta", ()), ("1", "2", "0"), [0.5, 1.0], None)
     assert found == pytest.approx(np.array([[0.5, 4 / 6 / np.pi, 4 / np.pi], [0.5, 4 / 3 / np.pi, 2 / np.pi]]))
-    heavy = columns(Problem("zeta", (), 4, 9), ("1",), [0.5])
+    heavy = columns(Problem("zeta", (), 4, 9), ("1",), [0.5], None)
     assert heavy == pytest.approx(np.array([[1 / (2 * np.sqrt(36))]]))
 
 
@@ -160,7 +160,7 @@ def test_a_candidate_and_a_strength_are_told():
     )
     page = one._page()
     assert page.title == "law 1+2: adequate to 3.4 % of the loss" and one.unneeded == ("1",)
-    assert page.lines == ("estimate; it leaves 3.4 % of the loss, p = 0.012",)
+    assert page.lines == ("estimate; its damping is 3.4 % off on average, p = 0.012",)
     assert page.rows == (("1", "0.02", "[0, 0.03]"), ("2", "0.2", "[0.1, 0.3]")) and page.head == (
         "exponent",
         "strength",
@@ -179,7 +179,8 @@ def test_a_candidate_and_a_strength_are_told():
         ("A", "amplitude"), ("Amplitude [deg]", "amplitude"), (" a (mm) ", "amplitude"), ("A / mm", "amplitude"),
         ("zeta", "zeta"), ("Damping Ratio", "zeta"), ("Q", "Q"), ("log decrement", "decrement"),
         ("Lambda", "decrement"),
-        ("s", "resolution"), ("Uncertainty", "resolution"), ("ab", None), ("", None), ("time", None),
+        ("s", "resolution"), ("Uncertainty", "resolution"), ("ab", None), ("", None), ("time", "t"),
+        ("n", "n"), ("Cycles", "cycles"), ("zeta_percent", "zeta"),
     ],
 )  # fmt: skip
 def test_columns_are_known_by_their_names_without_units(name, what):
@@ -189,7 +190,7 @@ def test_columns_are_known_by_their_names_without_units(name, what):
 def test_a_mapping_is_read_with_its_unit_and_what_is_not_used_is_told():
     table, quantity, notes = _read({"A (deg)": [10, 20], "Q": [50, 40], "time": [0, 1], "room": [1, 2]})
     assert table["amplitude"] == pytest.approx(np.radians([10, 20])) and table["Q"].tolist() == [50, 40]
-    assert quantity == "Q" and notes == ("not used: time, room", "amplitudes in deg taken as rad")
+    assert quantity == "Q" and notes == ("not used: room, time", "amplitudes in deg taken as rad")
     table, quantity, notes = _read({"A [mm]": [10, 20], "zeta": [0.01, 0.02], "sigma": [1e-3, 1e-3]})
     assert table["amplitude"] == pytest.approx([0.01, 0.02]) and notes == ("amplitudes in mm taken as m",)
     assert table["resolution"].tolist() == [1e-3, 1e-3] and quantity == "zeta"
@@ -222,12 +223,17 @@ def test_only_positive_numbers_in_one_column_are_served():
 
 
 def test_candidates_are_sums_of_different_exponents():
-    assert _candidates(None)[:5] == (("0",), ("1",), ("2",), ("3",), ("0", "1")) and len(_candidates(None)) == 9
-    assert _candidates("1+2") == (("1", "2"),) == _candidates(["1+2", "1+2"])
-    assert _candidates((1, "0+1+2+3")) == (("1",), ("0", "1", "2", "3"))
+    made, skipped = _candidates(None, 4)
+    assert made[:5] == (("0",), ("1",), ("2",), ("3",), ("0", "1")) and len(made) == 9 and skipped == ()
+    assert _candidates("1+2", 2) == ((("1", "2"),), ()) == _candidates(["1+2", "1+2"], 2)
+    assert _candidates((1, "0+1+2+3"), 4) == ((("1",), ("0", "1", "2", "3")), ())
+    assert _candidates(["1", "1+2", "free"], 1)[0] == (("1",),)
+    assert _candidates(["1", "1+2"], 1)[1] == ("skipped: 1+2 (2 strengths)",)
     for laws in ([], 3, ["1+1"], ["-1"], ["0+1+2+3+4"]):
         with pytest.raises(InputError, match="argument laws"):
-            _candidates(laws)
+            _candidates(laws, 4)
+    with pytest.raises(InputError, match="argument table: too few rows: skipped: 1.2 .2 strengths."):
+        _candidates("1+2", 1)
 
 
 def neglected(monkeypatch, motions, first=1.0, ends=(0.5, 2.0), strengths=(("1", 0.1), ("2", 0.0))):
@@ -279,7 +285,7 @@ def test_a_table_becomes_a_law_with_its_notes():
         ({"resolution": exact_number(1, "r"), "table": {"sigma": [1.0] * 4}}, "argument resolution"),
         ({"mass": exact_number(1, "m")}, "argument stiffness: is missing"),
         ({"stiffness": exact_number(1, "k")}, "argument mass: is missing"),
-        ({"laws": "0+1+2+3"}, "4 rows are too few"),
+        ({"laws": "0+1+2+3"}, "too few rows"),
     ],
 )
 def test_options_that_do_not_fit_are_refused(more, said):

@@ -17,8 +17,9 @@ def decays(monkeypatch, parts, *, short=(), wild=()):
     """The releases of a record, of which some are too short; what was asked of each."""
     asked = []
 
-    def decay(t, x, run, rows, notes):
+    def decay(t, x, run, rows, notes, modes):
         del x, run
+        assert modes == 2
         asked.append((len(t), rows, notes))
         if len(asked) in short:
             raise InputError("FILE", f"{len(t)} samples", "more")
@@ -32,7 +33,7 @@ def decays(monkeypatch, parts, *, short=(), wild=()):
     monkeypatch.setattr(sources, "_decay", decay)
     columns = {"t": T, "x": np.cos(T)}
     run = RecordTable("record", columns, "m", RowPlaces("file", np.arange(101) + 2), ("read",))
-    return _decays(run), asked
+    return _decays(run, 2), asked
 
 
 def test_one_decay_of_a_whole_record_is_the_record(monkeypatch):
@@ -73,8 +74,9 @@ def test_spikes_are_gone_before_anything_else_is_asked_and_the_first_is_named(mo
 def test_a_clock_that_starts_again_begins_a_run(monkeypatch):
     t = np.concatenate([T, T])
     seen = []
-    monkeypatch.setattr(sources, "_decays", lambda run: seen.append(run) or [run])
-    runs = sources._motions(RecordTable("record", {"t": t, "x": np.cos(t)}, "m", RowPlaces("file", np.arange(202) + 2)))
+    monkeypatch.setattr(sources, "_decays", lambda run, modes: seen.append(run) or [run])
+    table = RecordTable("record", {"t": t, "x": np.cos(t)}, "m", RowPlaces("file", np.arange(202) + 2))
+    runs = sources._motions(table, 1)
     assert [r.rows.name for r in runs] == ["file (run 1)", "file (run 2)"]
     assert [r.notes[-1] for r in runs] == [
         f"the clock starts again: run {k} of 2, from row {row}" for k, row in ((1, 2), (2, 103))
@@ -137,3 +139,13 @@ def test_decrements_that_cannot_be_are_refused(rows, reason):
     with pytest.raises(InputError, match=reason):
         load(columns)
     assert len(load({k: np.array([v, v]) for k, v in (("amplitude", 1.0), ("decrement", 0.1))})[0].amplitude) == 2
+
+
+def test_turning_points_keep_their_name_their_unit_their_times_and_what_was_told():
+    table = RecordTable(
+        "turning-points", {"n": np.arange(5.0), "x": (-0.9) ** np.arange(5.0), "tau": np.arange(5.0) * 2},
+        "mm", RowPlaces("file", np.arange(5) + 2), ("read",),
+    )  # fmt: skip
+    seen = sources._turning_points(table)
+    assert (seen.name, seen.unit) == ("file", "mm") and "read" in seen.notes and seen.t.tolist() == [0, 2, 4, 6, 8]
+    assert seen.n.tolist() == [0, 1, 2, 3, 4] and seen.x[1] == -0.9

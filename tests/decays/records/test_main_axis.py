@@ -67,6 +67,25 @@ def test_of_an_angle_and_a_place_of_one_swing_the_angle_is_taken():
     assert read_table({"t": T, "angle (deg)": noise, "x (cm)": SWING}).unit == "cm"
 
 
+def test_of_a_gyroscope_and_an_accelerometer_no_axis_is_a_place():
+    # failed before: gx said nothing, and was taken for the position
+    names = ("gx", "gy", "gz", "ax", "ay", "az")
+    table = read_table({"t": T, **{name: SWING * (1 if name[1] == "y" else 0.05) for name in names}})
+    assert table.kind == "velocity" and "v: 'gy'" in table.notes[0]
+    table = read_table({"millis": 1000 * T, "accX": 0.1 * SWING, "accY": SWING})
+    assert table.kind == "acceleration" and table.columns["t"][1] == 0.02
+
+
+def test_the_angle_of_a_tracker_is_taken_beside_its_place():
+    data = {
+        "t": T,
+        "x": np.sin(0.3 * SWING),
+        "y": 1 - np.cos(0.3 * SWING),
+        "\N{GREEK SMALL LETTER THETA}r": 0.3 * SWING,
+    }
+    assert "x: '\N{GREEK SMALL LETTER THETA}r'" in read_table(data).notes[0]
+
+
 def test_a_column_that_never_changes_or_stands_twice_needs_no_question():
     assert read_table({"t": T, "Kanal 1": 0 * T, "Kanal 2": SWING}).columns["x"][0] == 1.0
     assert read_table({"t": T, "Acc 1": SWING, "Acc 2": SWING}).kind == "acceleration"

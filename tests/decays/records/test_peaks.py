@@ -37,3 +37,29 @@ def test_peak_to_peak_is_halved():
     answer = asy.identify({"t": T, "peak-to-peak (m)": 2 * (X + NOISE)}, laws=["1"], bootstrap=False)
     assert abs(answer.runs[0].x[0]) < 1.01 and answer.law("1").law.epsilon[0].contains(0.02)
     assert any("half of it" in note for note in answer.notes)
+
+
+def test_columns_of_errors_weigh_the_fit():
+    # failed before: they were not used
+    wild = NOISE.copy()
+    wild[5] += 0.05
+    error = np.full(len(T), 1e-3)
+    error[5] = 0.05
+    data = {"t": T, "amplitude": X + wild, "xerr": 0 * T + 0.01, "yerr": error}
+    answer = asy.identify(data, laws=["1"], bootstrap=False)
+    assert any("errors from 'xerr', 'yerr'" in note for note in answer.notes)
+    (run,) = answer.runs
+    assert run.sigma_x[5] == 0.05 and run.sigma_t[0] == 0.01
+    law, plain = answer.law("1").law, asy.identify({"t": T, "amplitude": X + wild}, laws=["1"], bootstrap=False)
+    assert law.epsilon[0].contains(0.02)
+    # Near miss: without them the wild peak makes the interval many times as long.
+    width = [e.high - e.low for e in (law.epsilon[0], plain.law("1").law.epsilon[0])]
+    assert width[1] > 3 * width[0]
+
+
+def test_errors_that_are_missing_or_zero_weigh_nothing():
+    for bad in (0.0, np.nan):
+        error = np.full(len(T), 1e-3)
+        error[3] = bad
+        table = read_table({"t": T, "amplitude": X, "yerr": error})
+        assert "sigma_x" not in table.columns and len(table.columns["x"]) == len(T)

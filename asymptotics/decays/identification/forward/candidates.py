@@ -15,7 +15,8 @@ from asymptotics.decays.identification.forward.coefficients import Element, loss
 from asymptotics.decays.identification.forward.swing import MAX_FREE_ALPHA, HalfSwingModel
 from asymptotics.errors import InputError
 from asymptotics.numbers.context import cached_property
-from asymptotics.numbers.exact import ExactReal, parse_integer, parse_real
+from asymptotics.numbers.exact import ExactReal, parse_real
+from asymptotics.numbers.integers import parse_integer
 from asymptotics.terms import terms_of
 
 FREE, PENDULUM = "free", "pendulum"

@@ -123,9 +123,10 @@ class Observations(Alike):
         """Which turning points were measured: the outermost ones of a smooth line may lie beyond its samples."""
         if self.samples is None:
             return np.ones(len(self.n), dtype=bool)
-        first, last = self.samples.t[0], self.samples.t[-1]
-        near = 1e-9 * (last - first)
-        return np.asarray((self.t >= first - near) & (self.t <= last + near))
+        t = self.samples.t
+        # A sample further than the last one, or a tenth of a half-swing, is not beyond what they tell.
+        near = min(float(np.median(np.diff(t))), 0.1 * float(np.median(np.diff(self.t))))
+        return np.asarray((self.t >= t[0] - near) & (self.t <= t[-1] + near))
 
     @property
     def sizes(self) -> Array:

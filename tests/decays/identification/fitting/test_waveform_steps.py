@@ -105,7 +105,7 @@ def test_between_the_nodes_a_polynomial_of_degree_five_is_met_with_all_its_deriv
 
 def test_the_fit_of_the_motion_begins_with_that_of_its_turning_points():
     """(ln A, law, [rest], ln omega, t_0) becomes (ln A, law, rest, drift, ln omega, t_0)."""
-    model = SimpleNamespace(size=7, after=3)
+    model = SimpleNamespace(size=7, after=3, samples=SimpleNamespace(mode=()))
     for given, rest in (([0.1, 0.2, 0.3, 1.0, 2.0], 0.0), ([0.1, 0.2, 0.3, 0.5, 1.0, 2.0], 0.5)):
         assert WaveformModel.start(model, np.array(given)).tolist() == [0.1, 0.2, 0.3, rest, 0.0, 1.0, 2.0]
     whole = np.arange(7.0)

@@ -4,10 +4,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from asymptotics.decays.identification.fitting.in_time import Time
 
 from asymptotics.decays.identification.fitting.profile import Interval
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
+from asymptotics.decays.identification.forward.work import Work
 from asymptotics.decays.identification.judging import judgement
 from asymptotics.decays.identification.judging.contradiction import Contradiction
 from asymptotics.decays.identification.judging.judgement import judged
@@ -25,12 +25,12 @@ def test_a_contradiction_is_asked_with_the_stretch_of_the_other_and_the_share_of
     assert judgement.against(one, other) == (one.candidate, one.fit, other.candidate, other.fit, 3.0, 0.25)
 
 
-def motion(x, sizes, *, n=None, samples=None, alternating=True, rest=0.0):
+def motion(x, sizes, *, n=None, samples=None, alternating=True, rest=0.0, inside=None):
     n = np.arange(len(x)) if n is None else np.array(n)
-    seen = SimpleNamespace(n=n, x=np.array(x), samples=samples)
-    model = SimpleNamespace(
-        alternating=alternating, seen=seen, amplitudes=lambda theta: (np.array(sizes) * theta, None)
-    )
+    inside = np.ones(len(x), dtype=bool) if inside is None else np.array(inside)
+    seen = SimpleNamespace(n=n, x=np.array(x), samples=samples, inside=inside)
+    amplitudes = lambda theta: (np.array(sizes) * theta, None)  # noqa: E731
+    model = SimpleNamespace(alternating=alternating, seen=seen, amplitudes=amplitudes)
     return SimpleNamespace(model=model, theta=1.0, rest=rest)
 
 
@@ -39,22 +39,31 @@ def test_a_fit_whose_amplitudes_no_datum_reaches_is_outside():
     inside = motion([1.0, -0.8, 0.9], [1.5, 1.2, 1.0])
     assert judgement.outside(inside) == ""
     inside.theta = 1.0001
-    assert judgement.outside(inside) == "its first amplitude, 1.5, is far outside the data (1)"
+    assert judgement.outside(inside) == "its amplitude, 1.5, is far outside the data (1)"
     moved = motion([1.5, -0.5, 1.2], [1.6, 1.2, 1.0], rest=0.5)  # about 0.5 the data reach 1.0
-    assert judgement.outside(moved) == "its first amplitude, 1.6, is far outside the data (1)"
+    assert judgement.outside(moved) == "its amplitude, 1.6, is far outside the data (1)"
     assert judgement.outside(motion([1.0, -0.8], [9.0, 1.0, 1.0, 1.2], n=[1, 3])) == ""  # those that were seen
     assert judgement.outside(motion([1.0, -0.8], [9.0, 9.0], alternating=False)) == ""  # printed decrements
 
 
+def test_before_the_first_sample_an_amplitude_may_be_larger():
+    """Of a point that no sample reaches neither the datum counts nor the closer limit."""
+    most = judgement._BEFORE
+    for share, outside in ((0.999, False), (1.001, True)):
+        found = motion([99.0, 1.0, -0.8], [share * most, 1.2, 1.0], inside=[False, True, True])
+        assert bool(judgement.outside(found)) == outside
+
+
 def test_samples_tell_how_far_the_data_reach_unless_they_are_of_a_velocity():
-    x, t = np.array([1.0, -1.0, 0.5]), np.arange(3.0)
+    """They go up and down by twice the amplitude; the turning points of the line may be wilder."""
+    x, t = np.array([0.5, -0.5, 0.25]), np.arange(3.0)
     samples = Samples(t, x, 1.0, 1.0)
-    assert judgement.outside(motion([1.0, -0.8], [2.9, 1.0], samples=samples)) == ""  # their range is 2
-    assert judgement.outside(motion([1.0, -0.8], [3.1, 1.0], samples=samples)).endswith(
-        "3.1, is far outside the data (2)"
-    )
+    assert judgement.outside(motion([1.0, -0.8], [0.74, 0.5], samples=samples)) == ""
+    found = motion([1.0, -0.8], [0.76, 0.5], samples=samples)
+    assert judgement.outside(found) == "its amplitude, 0.76, is far outside the data (0.5)"
     velocity = Samples(t, x, 1.0, 1.0, derivative=1)
     assert judgement.outside(motion([1.0, -0.8], [1.6, 1.0], samples=velocity)).endswith("outside the data (1)")
+    assert judgement.outside(motion([1.0, -0.8], [1.4, 1.0], samples=velocity)) == ""
 
 
 @pytest.fixture
@@ -217,7 +226,7 @@ def test_of_few_laws_all_are_profiled_and_of_more_those_of_the_verdict(steps, co
 
 
 def test_a_law_whose_profile_has_no_time_is_untried(steps):
-    (found,) = judged([Fitted(read("1"), fit(1.0))], {}, time=Time(0.0))
+    (found,) = judged([Fitted(read("1"), fit(1.0))], {}, work=Work(limit=0.0))
     assert steps.profiled == [] and found.fitted.reason == UNTRIED and found.fitted.fit is not None
 
 

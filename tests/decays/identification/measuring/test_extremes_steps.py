@@ -156,7 +156,7 @@ def test_wide_angles_are_fitted_by_all_their_samples():
         if fitted:
             assert seen.notes[-1] == f"angles beyond 80 degrees: all {len(seen.samples.t)} samples fitted"
             assert seen.sigma_x == pytest.approx(np.full(len(seen.n), seen.samples.noise))
-            assert seen.sigma_t == pytest.approx(seen.sigma_x / seen.reference) and seen.samples.freedom == len(
+            assert seen.sigma_t == pytest.approx(seen.sigma_x / np.abs(seen.x[0])) and seen.samples.freedom == len(
                 seen.samples.t
             )
             assert seen.samples.t[0] >= seen.t[0] and seen.samples.t[-1] <= seen.t[-1]

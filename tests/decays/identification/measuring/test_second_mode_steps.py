@@ -99,7 +99,7 @@ def test_the_columns_of_a_line_are_polynomials_times_its_waves():
 @pytest.mark.parametrize(("third", "columns"), [(1, 2 + 6), (3, 2 + 12)])
 def test_the_columns_of_the_motion_are_base_drift_the_line_and_its_overtone(third, columns):
     line = SpectralLine(T, 1.5, np.zeros(3), np.zeros(third), 0.0, 0.0, 0.0)
-    found = second_mode._motion(line, T)
+    found = second_mode.motion_columns(line, T)
     assert found.shape == (len(T), columns)
     assert (found[:, 0] == 1).all() and found[:, 1] == pytest.approx(second_mode._places(T))
     assert np.array_equal(found[:, 2:8], second_mode._line(T, 1.5, 2))
@@ -111,7 +111,7 @@ def test_coefficients_are_those_of_least_squares():
     main, line = second_mode._line(T, 1.0, 1), second_mode._line(T, 2.5, 1)
     x = np.random.default_rng(3).standard_normal(len(T))
     both = np.concatenate([main, line], axis=1)
-    assert second_mode._solved(main, line, x) == pytest.approx(np.linalg.lstsq(both, x, rcond=None)[0], abs=1e-10)
+    assert second_mode.solved(main, line, x) == pytest.approx(np.linalg.lstsq(both, x, rcond=None)[0], abs=1e-10)
 
 
 @pytest.mark.parametrize("off", [-1.2, -0.4, 0.0, 0.35, 1.3])
@@ -126,15 +126,15 @@ def fitted(other, noise=1e-3, guess=None):
     x = waves((1, 1.0, 0.01)) + 0.2 + noise * np.random.default_rng(4).standard_normal(len(T))
     size, frequency, fall = other
     line = size * np.exp(-fall * (T - T[0])) * np.cos(frequency * T)
-    return line, second_mode._fitted(T, x + line, 1.0, frequency if guess is None else guess)
+    return line, second_mode.line_beside(T, x + line, 1.0, frequency if guess is None else guess)
 
 
 def test_a_line_is_fitted_beside_the_motion_and_told_by_its_size_at_the_beginning():
-    line, (taken, said) = fitted((0.05, 2.7, 0.005), guess=2.7 + 0.4 * BIN)
+    line, (taken, said, at) = fitted((0.05, 2.7, 0.005), guess=2.7 + 0.4 * BIN)
     assert np.abs(taken - line).max() < 1.5e-3
     assert said.startswith("a second mode at 2.7") and "rad a unit of time, 5 % of the first at the beginning" in said
     assert said.endswith(", measured and taken off")
-    assert abs(float(said.split()[4]) - 2.7) < 0.03 * BIN
+    assert abs(float(said.split()[4]) - 2.7) < 0.03 * BIN and abs(at - 2.7) < 0.03 * BIN
 
 
 def test_a_line_that_is_not_worth_its_coefficients_stays():
@@ -144,8 +144,8 @@ def test_a_line_that_is_not_worth_its_coefficients_stays():
 
 
 def test_a_line_larger_than_the_record_is_one_of_two_that_cancel(monkeypatch):
-    real = second_mode._solved
-    monkeypatch.setattr(second_mode, "_solved", lambda main, line, x: real(main, line, x) * 30)
+    real = second_mode.solved
+    monkeypatch.setattr(second_mode, "solved", lambda main, line, x: real(main, line, x) * 30)
     assert fitted((0.05, 2.7, 0.005))[1] is None  # 1.5 of a range of about 2
 
 
@@ -154,13 +154,13 @@ def test_each_line_is_sought_in_what_the_ones_before_left_and_two_at_most(monkey
 
     def fitted_line(t, x, omega, other):
         asked.append((omega, other, float(x[0])))
-        return np.ones(len(t)), f"line {len(asked)}"
+        return np.ones(len(t)), f"line {len(asked)}", other
 
     monkeypatch.setattr(second_mode, "_peak", lambda t, x: (1.0, 2.0 + x[0]))
-    monkeypatch.setattr(second_mode, "_fitted", fitted_line)
+    monkeypatch.setattr(second_mode, "line_beside", fitted_line)
     rest, notes = second_mode.without_second_modes(T, np.full(len(T), 5.0))
     assert notes == ("line 1", "line 2") and (rest == 3.0).all()
     assert asked == [(1.0, 7.0, 5.0), (1.0, 6.0, 4.0)]
-    monkeypatch.setattr(second_mode, "_fitted", lambda *_: None)
+    monkeypatch.setattr(second_mode, "line_beside", lambda *_: None)
     x = np.ones(len(T))
     assert second_mode.without_second_modes(T, x) == (x, ()) and second_mode.without_second_modes(T, x)[0] is x

@@ -45,6 +45,8 @@ def words(monkeypatch):
     }
     asked = []
     monkeypatch.setattr(result, "equivalent", lambda law, omega: (asked.append((law, omega)), known)[1])
+    monkeypatch.setattr(result, "agreed", lambda laws, units: None)  # what all laws say of Q: told elsewhere
+    monkeypatch.setattr(LawAnswer, "lines", property(lambda answer: (f"words of {answer.law.candidate}",)))
     return SimpleNamespace(known=known, asked=asked)
 
 
@@ -52,7 +54,7 @@ def test_every_entry_of_the_json_of_an_answer(words):
     untried = law_answer("2", missed=UNTRIED, verdict="undetermined")
     found = answer(law_answer(), untried).to_dict()
     assert found.pop("laws") == [law_answer().to_dict(), untried.to_dict()]
-    assert found.pop("envelope") is None  # three turning points are too few
+    assert found.pop("envelope") is None is found.pop("agreed")  # three turning points are too few
     assert found == {
         "verdict": "identified: 1", "verdict_kind": IDENTIFIED, "telling": "more swings",
         "equivalent": {"amplitudes": ["0.5", "0.32"], "Q": ["10", "20"], "zeta": ["0.05", "0.025"], "half_life": None,
@@ -75,13 +77,13 @@ def test_what_an_answer_does_not_know_is_null(words):
     assert answer().in_words.startswith("Q = 10 at 0.5 mm, 20 at 0.32 mm")
 
 
-def test_the_envelope_is_that_of_the_first_run_and_says_whether_a_law_is_known():
+def test_the_envelope_is_that_of_the_first_run_and_says_whether_a_law_is_known(words):
     n = np.arange(30)
     long = Observations.of(n, (-1.0) ** n * np.exp(-0.05 * n), 0.5 * n)
     for kind, known in ((IDENTIFIED, True), ("undecided", False)):
-        found = answer(runs=(long, SEEN), verdict=Verdict(kind, "x"))._envelope()
+        found = answer(runs=(long, SEEN), verdict=Verdict(kind, "x")).to_dict()["envelope"]
         assert found["law_known"] == known and found["period"]["estimate"] == "1"
-    assert answer(runs=(Decrements(np.ones(3), np.ones(3) / 10),))._envelope() is None
+    assert answer(runs=(Decrements(np.ones(3), np.ones(3) / 10),)).to_dict()["envelope"] is None
 
 
 def test_the_table_has_its_columns_under_each_other(words):
@@ -101,7 +103,8 @@ def test_the_table_has_its_columns_under_each_other(words):
 def test_the_page_and_the_formula_of_an_answer(words):
     found = answer(law_answer("1+2", epsilon=(SURE, SURE)), law_answer())
     page = found._page()
-    assert page.title == "identified: 1" and page.lines == (found.in_words, "more swings", "a note")
+    assert page.title == "identified: 1" and page.lines == (*found.lines, "more swings", "a note")
+    assert found.lines == ("words of 1",)  # the law of the verdict: 1+2 contains it
     assert page.head == ("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]")
     assert page.rows == tuple(one.row() for one in found.laws)
     assert found._heading() == "identified: 1" and repr(found) == "Identification(identified: 1)"
@@ -168,7 +171,7 @@ def test_a_report_names_its_runs_its_laws_and_its_provenance(monkeypatch, words)
     drawn(monkeypatch)
     page = report.html_report(answer(law_answer(reason="for < this")), {"SHA-256": "<digest>"})
     for wanted in (
-        "Which damping law? a &lt;run&gt;", "<p>more swings</p>", "<p>Q = 10 at 0.5 mm",
+        "Which damping law? a &lt;run&gt;", "<p>more swings</p>", "<p>words of 1</p>",
         "<code>x&#x27;&#x27; + x + e1 x&#x27; = 0</code>",
         "<tr><td>1</td><td>consistent</td><td>0.5</td><td>-</td><td>0.05 [0.04, 0.06]</td><td>for &lt; this</td></tr>",
         "<th>law</th><th>verdict</th><th>ΔAICc</th><th>held-out error</th><th>strengths [interval]</th><th>why</th>",

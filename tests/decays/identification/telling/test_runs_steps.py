@@ -150,7 +150,7 @@ def told(found):
 def test_while_one_run_is_undecided_all_are(chosen):
     chosen.laws = [law(t, fit()) for t in ("1", "2")]
     found = verdict_of_runs(said(IDENTIFIED, UNDECIDED, NONE), [])
-    text = "the time was over before all laws were judged in 1 of 3 runs; best: 1; 2"
+    text = "the limit of work or time was reached before all laws were judged in 1 of 3 runs; best: 1; 2"
     assert told(found) == (UNDECIDED, f"{UNDECIDED}: {text}") and "max_seconds" in found.telling
     chosen.laws = []
     assert verdict_of_runs(said(UNDECIDED), []).text.endswith("in 1 of 1 runs")
@@ -202,12 +202,16 @@ def test_without_a_loss_that_shows_runs_tell_nothing_unless_they_differ(chosen):
 @pytest.mark.parametrize(
     ("count", "kind", "text"),
     [
-        (0, NONE, f"{NONE}: no law is consistent with all 2 runs together"),
+        (0, UNTOLD, f"{UNTOLD} to tell: the 2 runs together determine no law"),
         (2, SEVERAL, f"{SEVERAL} with 2 runs: 0; 1"),
         (3, SEVERAL, f"{SEVERAL} with 2 runs: 0; 1; 2"),
         (4, UNTOLD, f"{UNTOLD} to tell 4 laws apart: 0; 1; 2; 3"),
     ],
 )
 def test_several_laws_or_none(chosen, count, kind, text):
+    refuted = [law("5", fit(), verdict="refuted")]
+    if not count:
+        found = verdict_of_runs(said(IDENTIFIED, UNTOLD), refuted)
+        assert told(found) == (NONE, f"{NONE}: no law is consistent with all 2 runs together")
     chosen.laws = [law(str(n), fit()) for n in range(count)]
     assert told(verdict_of_runs(said(IDENTIFIED, UNTOLD), [])) == (kind, text)
