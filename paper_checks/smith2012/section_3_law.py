@@ -292,21 +292,23 @@ def dimensionless_constants(form: tuple[sympy.Expr, sympy.Expr]) -> Outcome:
     derivation="smith-motion-not-elementary", line=12,
     title="The equation of motion cannot be solved in terms of elementary functions",
     latex=r"\text{this one is problematic because it cannot be solved in terms of elementary functions}",
-    printed=None, near_miss=sympy.cos(TAU), conditions="S != 0, as between two turning points",
+    printed=None, near_miss=sympy.cos(TAU), conditions="S != 0, as between two turning points, and not at rest",
     methods=("first integral solved for e^{2u} and for u", "substitution of what is proposed"),
     note="Both halves are proved, neither in the paper: the time t(x), the integral (54), is not elementary (see"
     " claim.not-in-tables), and neither is its inverse x(t): u and e^{2u} would enter a tower of exponentials and"
-    " logarithms at one step, and with u' either gives the other. One motion is elementary, u = tau^2/4 - 1/2 with"
-    " S = 0, which has no turning point before it. Form: an expression u(tau) proposed as the motion, None if there is"
+    " logarithms at one step, and with u' either gives the other. Two motions are elementary: rest, u = 0 with"
+    " S = -1/4, and u = tau^2/4 - 1/2 with S = 0, which has no turning point before it. Not spoken of: an elementary"
+    " relation of x and t, or both as elementary functions of a parameter. Form: an expression u(tau) proposed as the"
+    " motion, None if there is"
     " said to be none.",
 )
 def not_elementary(form: sympy.Expr | None) -> Outcome:
     """None: S = S^-(u, w) has one e^{2u} and one u, rational in the rest, as the derivation needs.  An expression:
-    whether it is a motion with S != 0."""
+    whether it is a motion with S != 0, and not rest."""
     if form is not None:
         pace = sympy.diff(form, TAU)
         motion = vanishes(sympy.diff(pace, TAU) - pace**2 + form)
-        return all_confirmed(motion, opposite(vanishes(S_falling(form, pace))))
+        return all_confirmed(motion, opposite(vanishes(S_falling(form, pace))), opposite(vanishes(pace)))
     S, wave = sympy.symbols("S theta", nonzero=True)
     level = sympy.expand(S_falling(u, w) * exp(2 * u) - S * wave)
     first, second = (sympy.solve(level, letter) for letter in (wave, u))
