@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).parents[1]
 NAMES = re.findall(r"^reference/([\w.]+)$", (ROOT / "docs/api.md").read_text(encoding="utf-8"), re.MULTILINE)
 UNTYPED = {  # Matplotlib's own, and what is read by its columns or as an array, whatever library made it
-    "ax", "style", "results", "data", "file", "table", "A", "y", "psi", "epsilon",
+    "ax", "style", "results", "data", "file", "table", "A", "y", "psi", "epsilon", "x",
 }  # fmt: skip
 
 

@@ -85,7 +85,8 @@ def _sum(laws: list[str]) -> Law:
 
 SAID = Kind(
     "LAW", lambda law, _, alpha=None, epsilon=None: Said(law, alpha=alpha, epsilon=epsilon),
-    assemble=lambda options: Said(options=options), beside=("alpha", "epsilon"), feeds=LAW_FEEDS, group="the law",
+    assemble=lambda options: Said(options=options), beside=("alpha", "epsilon"), group="the law",
+    feeds={**LAW_FEEDS, "alpha": ("alpha", "law")},
     options=(
         *law_options("its dimensionless strength, b omega_0^alpha x0^(alpha-1) / k", springs=False),
         *unit_options(), *start_options("x0", "v0"),

@@ -203,6 +203,7 @@ class Question:
         In its reason and in what it accepts as well: ``--columns t=1,x=2`` is ``columns t=1,x=2``.
         """
         called = {self.spelled(a.name): a.name for a in self.asked if not a.kind.options}
+        called |= {o.letter: a.name for a in self.asked for o in a.kind.options if o.place}
         argument = called.get(error.argument, _in_python(error.argument, called))
         texts = (argument, *(_in_python(text, called) for text in (error.reason, error.accepted)))
         if texts == (error.argument, error.reason, error.accepted):

@@ -15,6 +15,9 @@ from asymptotics.law import Oscillator
 from asymptotics.numbers.policy import Number, exact_number
 from asymptotics.running.public import public
 
+MAX_STATES = 1000
+"""Times of one file, as half-swings are."""
+
 
 class ProvedStates:
     """A motion with ``at(t, digits=...)``, whose digits a page of standard Python proves."""
@@ -31,6 +34,9 @@ class ProvedStates:
         """
         if self.static is not None:
             raise InputError("certificate", "static friction is another equation", "a motion without it")
-        times = list(t) if isinstance(t, Sequence) and not isinstance(t, str) else [cast("Number", t)]
+        several = isinstance(t, Sequence) and not isinstance(t, str)
+        if several and not 1 <= len(cast("Sequence[Number]", t)) <= MAX_STATES:
+            raise InputError("t", f"{len(cast('Sequence[Number]', t))} times", f"1 to {MAX_STATES} times")
+        times = list(cast("Sequence[Number]", t)) if several else [cast("Number", t)]
         states = [(exact_number(each, "t"), self.at(each, digits=digits)) for each in times]
         return of_states(self.oscillator, states, digits)

@@ -372,7 +372,7 @@ def solution(
     """The multiple-scale solution through ``order``: explicit for one law, implicit for sums and springs.
 
     ``law``: {alpha: epsilon}, a law or an oscillator (SI); an exponent alone, or "symbolic", leaves the strength a
-    symbol, as ``symbolic=True`` does where one is given.  InputError for an order out of range, anti-damping, and a sum
+    symbol, as ``symbolic`` does where one is given.  InputError for an order out of range, anti-damping, and a sum
     without losses.
 
     >>> moving = solution(Oscillator({2: "1/10"}, x0="3/5", v0="-4/5"), order=3)

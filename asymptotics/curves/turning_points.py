@@ -44,11 +44,6 @@ class MotionTurningPoints(TurningPoints):
 
     moving: Oscillator = field(kw_only=True)
 
-    @classmethod
-    def of(cls, moving: Oscillator, found: TurningPoints) -> "MotionTurningPoints":
-        """The same points, of this oscillator."""
-        return cls(**{f.name: getattr(found, f.name) for f in fields(found) if f.init}, moving=moving)
-
     @public
     def certificate(self, *, max_seconds: Number = 60) -> Certificate:
         """A file from which ``check_certificate.py``, a page of standard Python, proves every digit.
@@ -57,6 +52,11 @@ class MotionTurningPoints(TurningPoints):
         numbers, estimates.
         """
         return of_turning_points(self.moving, self)
+
+
+def of_motion(moving: Oscillator, found: TurningPoints) -> MotionTurningPoints:
+    """The same points, of the motion of this oscillator."""
+    return MotionTurningPoints(**{f.name: getattr(found, f.name) for f in fields(found) if f.init}, moving=moving)
 
 
 def turning_points_in_units(

@@ -16,7 +16,7 @@ decrement of the motion.
 >>> exact.decrement.str(8), cut.decrement.str(4)
 ('[0.23668442 +/- ...]', '[0.237 +/- ...]')
 >>> exact.period.str(8)
-'[6.2870... +/- ...]'
+'[6.2914675 +/- ...]'
 >>> full_swing(Law({0: "2/5"}), 15)
 'no full swing: it sticks after 1 half-swings'
 """
@@ -34,6 +34,7 @@ from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import BITS_PER_DIGIT
 from asymptotics.numbers.digits import ball_of
+from asymptotics.running.budget import seconds_left
 from asymptotics.terms import Term
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.result import TurningPoints
@@ -64,6 +65,8 @@ def full_swing(law: Law, digits: int) -> FullSwing | str:
     try:
         found = turning_points(law, 3, digits, times=True)
     except (LimitError, UndecidedError):
+        if seconds_left() <= 0:
+            raise
         # Times cost more than places: without them there is no period, and all else stands.
         found = turning_points(law, 3, digits)
     if len(found.points) < 3:

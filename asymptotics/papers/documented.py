@@ -1,7 +1,7 @@
 """The headings of the documentation, found by the words of a referee as the statements are.
 
->>> [str(found) for found in documentation("loss factor")][:1]
-['docs/words: Loss factor']
+>>> [str(found) for found in documentation("loss factor")][:2]
+['docs/theory/equivalent_damping: Equivalent damping', 'docs/words: Loss factor']
 """
 
 from dataclasses import dataclass

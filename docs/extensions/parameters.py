@@ -98,6 +98,13 @@ MEANINGS = {
     "workers": "processes; by default one for each core, 1 computes in this process",
     "x": "turning points in one unit, shape (k,)",
     "y": "(A, psi)",
+    "symbolic": "whether the strength stays a letter where one was given",
+    "force": "the largest force, f > 0, in N for an oscillator",
+    "omega": "its angular frequency, Omega > 0, in rad/s for an oscillator",
+    "rate": "samples a second, of a file without times",
+    "modes": "2: a second mode is fitted beside the motion",
+    "stride": "half-swings between two rows",
+    "spacing": "seconds between two rows",
 }
 
 

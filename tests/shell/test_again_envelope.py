@@ -104,7 +104,7 @@ def test_a_hostile_header_is_refused_by_name(capsys, path, said, named):
 
 def test_the_rows_that_are_done_are_kept(capsys, path, monkeypatch):
     exported(path, "a spring")
-    whole, calls = asy.api.large.SpringEnvelope.amplitude, []
+    whole, calls = asy.curves.large.SpringEnvelope.amplitude, []
 
     def cut(*args, **kwargs):
         calls.append(args)

@@ -1,6 +1,7 @@
 """Turning points and times, to any number of certified digits."""
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Annotated, Any, cast
 
 from asymptotics.ask.answers import Offers, Request
@@ -11,6 +12,7 @@ from asymptotics.ask.question import question
 from asymptotics.curves.turning_points import (
     MotionTurningPoints,
     dimensionless,
+    of_motion,
     turning_points_in_units,
     with_notes,
     without_units,
@@ -196,19 +198,17 @@ def turning_points(
 def _points(moving: Given, count: int, **rest: Any) -> MotionTurningPoints:
     oscillator = moving.oscillator
 
-    def of_motion(found: TurningPoints) -> MotionTurningPoints:
-        return MotionTurningPoints.of(oscillator, found)
-
-    with changed(of_motion):
+    told = partial(of_motion, oscillator)
+    with changed(told):
         if moving.si:
-            return of_motion(turning_points_in_units(oscillator, count, **rest))
+            return told(turning_points_in_units(oscillator, count, **rest))
         # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths
         # epsilon_i x0^(alpha_i-1), and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
         if oscillator.law.is_pure and oscillator.v0.is_zero and oscillator.x0 != 1:
-            return of_motion(without_units(oscillator, count, **rest))
+            return told(without_units(oscillator, count, **rest))
         law, kick = _bare(oscillator)
         found = with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick)
-        return of_motion(found)
+        return told(found)
 
 
 def _bare(oscillator: Oscillator) -> tuple[Law, dict[str, Any]]:

@@ -7,8 +7,8 @@ phase, frequency and rate of decay as unknowns: what it costs the intervals is i
 >>> t = np.arange(0, 200, 0.5)
 >>> x = np.exp(-0.01 * t) * np.cos(t) + 0.05 * np.exp(-0.02 * t) * np.cos(2.7 * t)
 >>> omega, line = strongest_line(t, x)
->>> round(omega, 2), [round(v, 2) for v in beginning(t, line, omega)]
-(2.7, [0.05, -0.0, 2.7, 0.02])
+>>> round(omega, 2), [abs(round(v, 2)) for v in beginning(t, line, omega)]
+(2.7, [0.05, 0.0, 2.7, 0.02])
 """
 
 from dataclasses import replace

@@ -98,7 +98,7 @@ class Observations(Alike):
         )  # fmt: skip
 
     def as_envelope(self, stride: float, spacing: float, notes: tuple[str, ...]) -> "Observations":
-        """The same numbers as an artificial clock of an envelope."""
+        """The same numbers as an artificial clock of an envelope: each ``stride`` half-swings, ``spacing`` s apart."""
         return replace(self, stride=stride, spacing=spacing, notes=notes)
 
     @property

@@ -128,7 +128,7 @@ def test_work_is_counted_only_inside_and_ends_there():
 
 @pytest.mark.parametrize(
     ("bad", "argument"),
-    [({"laws": ["1,oops"]}, "laws"), ({"amplitudes": (1, 2, 3)}, "amplitudes"), ({"springs": ["x"]}, "laws")],
+    [({"laws": ["1,oops"]}, "laws"), ({"amplitudes": (1, 2, 3)}, "amplitudes"), ({"springs": ["x"]}, "springs")],
 )
 def test_a_bad_option_is_refused_before_the_data_are_read(bad, argument, monkeypatch):
     monkeypatch.setattr(room, "load", lambda *a: pytest.fail("the data are read"))
