@@ -49,7 +49,9 @@ def functions(s: Any, strength: Any) -> tuple[Function, Function, Function]:
         times, eps = real_array(times, "tau"), real_array(eps, "epsilon")
         values = begun(eps)
         # A formula without tau (phi = 0, say) is one number to NumPy: adding 0 times gives it the shape, and keeps NaN.
-        return amplitude(times, eps, *values) + 0.0 * times, phase(times, eps, *values) + 0.0 * times
+        # At a time whose powers leave the doubles what is left out is as far gone as the decay itself.
+        with np.errstate(over="ignore"):
+            return amplitude(times, eps, *values) + 0.0 * times, phase(times, eps, *values) + 0.0 * times
 
     def x(times: Any, eps: Any) -> Any:
         size, lag = both(times, eps)
