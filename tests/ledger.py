@@ -47,6 +47,7 @@ GROUPS = {
         "solution --order 2",
         "envelope --digits 8",
         "damping --digits 6",
+        "response --force 3 --omega 1/2 --digits 5",
     ),
     "Coefficients": (
         "expand --order 2 --digits 8",
@@ -79,6 +80,8 @@ RESTS = {
     "envelope": "the averaged law in balls (`lancaster-average`, `two-laws-average`): certified for it, and it"
     " approximates the motion",
     "damping": "the energy of a half-swing, in balls, between certified turning points",
+    "response": "a trial orbit with its defect and a contraction, in balls, from exponent 1 on (`driven-unique`); below"
+    " it first order alone (`driven-first-order`)",
     "expand": "formal series: whole exponents exact, others in balls (`quarter-swing-tail`)",
     "half-swing": "the same",
     "multiple-scales": "exact: each order's equation is put back by SymPy",

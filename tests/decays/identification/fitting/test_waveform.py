@@ -87,5 +87,5 @@ def test_what_is_wrong_with_samples_is_told_and_the_true_law_stands(defect):
 
 def test_noise_alone_is_no_motion():
     t = np.arange(40.0)
-    with pytest.raises(InputError, match="argument FILE"):
+    with pytest.raises(InputError, match="argument data"):
         asy.identify({"t": t, "x": np.random.default_rng(0).standard_normal(40)})
