@@ -145,6 +145,7 @@ def _as_reference(point: Mapping[str, str], digits: int) -> dict[str, str]:
         data=_data,
         text=_text,
         as_csv=_csv,
+        formula=lambda found, _: found.point._formula(),
         drawn=_drawn,
         style=_style,
         typed=_typed,

@@ -114,6 +114,7 @@ def _typed(request: Request) -> None:
         data=_data,
         text=_text,
         as_latex=_latex,
+        formula=lambda found, _: found.solution.latex(standalone=False),
         as_csv=_csv,
         drawn=_drawn,
         style=lambda found, _: {"until": found.time},
