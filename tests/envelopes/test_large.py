@@ -248,7 +248,7 @@ def test_small_amplitudes_are_those_of_the_linear_spring():
     ("law", "spring", "rest", "argument"),
     [
         ({2: 1}, {2: 1}, {}, "spring"), ({2: 1}, {3: 1, 5: 1}, {}, "spring"), ({2: 1}, {(3, 2): 1}, {}, "spring"),
-        ({(1, 1): 1}, "pendulum", {}, "law"), ({2: 1}, "pendulum", {"v0": 1}, "v0"), ({2: -1}, "pendulum", {}, "b"),
+        ({(1, 1): 1}, "pendulum", {}, "law"), ({2: 1}, "pendulum", {"v0": 1}, "v0"), ({2: -1}, "pendulum", {}, "strength"),
         ({2: 1}, "pendulum", {"x0": "22/7"}, "x0"), ({2: 1}, {3: -1}, {}, "x0"), ({2: 1}, {3: "-1/4"}, {"x0": 2}, "x0"),
     ],
 )  # fmt: skip

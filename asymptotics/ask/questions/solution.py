@@ -73,7 +73,8 @@ def _text(found: SolutionAtTime, request: Request) -> str:
         lines += [f"A       = {A}", f"phi     = {phi}", f"units   {meaning}"]
     if found.values:
         given, values = cast("Given", request["law"]), found.values
-        lines += [f"{n.removesuffix('_value'):10} {values[n]}{given.unit(u)}" for n, u in _TOLD.items() if n in values]
+        told = {n: u for n, u in _TOLD.items() if values.get(n)}  # no phase where the mass is held
+        lines += [f"{n.removesuffix('_value'):10} {values[n]}{given.unit(u)}" for n, u in told.items()]
     lines += ["bound: proved, |x - x_N| is at most this"] if found.bound is not None else []
     return "\n".join(lines)
 
