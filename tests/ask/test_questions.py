@@ -1,11 +1,13 @@
 """Every question under hostile values, wherever it is asked: shell, Python, header of a file, axes of a sweep."""
 
 import argparse
+import ast
 import inspect
 import json
 import re
 import shlex
 from dataclasses import replace
+from pathlib import Path
 from typing import Annotated
 
 import pytest
@@ -77,6 +79,14 @@ def test_a_question_says_all_that_others_need(name):
     assert len(options) == len(set(options))
     plain = inspect.signature(question.function).parameters.values()
     assert all(p.annotation is not p.empty for p in plain)
+
+
+def test_the_summary_is_the_first_line_of_the_file_and_no_file_is_parsed_for_it(monkeypatch):
+    """Each command parsed the files of all: 32 ms of the 34 that an answer took."""
+    files = {name: Path(inspect.getsourcefile(inspect.unwrap(loaded(name).function))) for name in QUESTIONS}
+    lines = {name: ast.get_docstring(ast.parse(p.read_text())).partition("\n")[0] for name, p in files.items()}
+    monkeypatch.setattr(ast, "parse", lambda *_, **__: pytest.fail("a file is parsed"))
+    assert {name: summary(name) for name in QUESTIONS} == {name: line.rstrip(".") for name, line in lines.items()}
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
