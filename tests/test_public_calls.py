@@ -24,6 +24,7 @@ from hypothesis import strategies as st
 
 import asymptotics as asy
 from asymptotics.errors import MAX_ACCEPTED, MAX_REASON
+from asymptotics.frames import BARE, frame_of
 from tests.every_question import IN_PYTHON, call_of, usual
 
 OSC = asy.Oscillator(asy.Law({"3/2": "1/10"}), mass="3/2", stiffness=30, x0="1/5")
@@ -310,8 +311,9 @@ def test_the_gate_serves_methods_too(kinds):
 
 def test_constructors_of_results_check_what_they_are_given():
     usual = {
-        asy.Motion: {"oscillator": OSC, "order": 2, "gauge": "turning-point"},
-        asy.Reference: {"oscillator": OSC, "static": None}, asy.Envelope: {"oscillator": OSC, "averaging": "mean"},
+        asy.Motion: {"oscillator": OSC, "order": 2, "gauge": "turning-point", "frame": frame_of(OSC)},
+        asy.Reference: {"oscillator": OSC, "static": None, "frame": BARE},
+        asy.Envelope: {"oscillator": OSC, "averaging": "mean", "frame": BARE},
     }  # fmt: skip
     failed = []
     for made, arguments in usual.items():

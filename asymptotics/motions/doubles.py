@@ -11,8 +11,8 @@ import numpy as np
 
 from asymptotics.envelopes.slow_flow import SlowTable
 from asymptotics.errors import InputError
-from asymptotics.motions.frame import Frame, Guess
 from asymptotics.motions.stopping import last_swing
+from asymptotics.motions.truncation import Guess, Truncation
 from asymptotics.motions.waveform import WaveformTable
 from asymptotics.numbers.double_error import EPS, STEP, of_rounding
 
@@ -35,13 +35,13 @@ def out_of_reach() -> InputError:
 class Doubles:
     """The same frame for arrays: tables of the waveform, and of the slow flow as far as it is asked for."""
 
-    frame: Frame
+    frame: Truncation
     table: WaveformTable
     begin: tuple[float, float]
     reached: list[tuple[float, SlowTable]]
 
     @classmethod
-    def of(cls, frame: Frame) -> "Doubles":
+    def of(cls, frame: Truncation) -> "Doubles":
         """The tables of a frame; InputError if the waveform series does not reach the start."""
         table = WaveformTable.of(frame.flow, frame.forces, frame.order - 1)
         found = cls(frame, table, (0.0, 0.0), [])

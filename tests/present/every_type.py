@@ -54,7 +54,7 @@ answer = asy.identify({"n": n, "x": (-1.0) ** n * 0.95**n + noise}, laws=["1", "
 SAMPLES = {
     "tables.validation.Validation": "asy.table('moments', alpha=1, digits=8).validate()",
     "curves.large.SpringEnvelope": "asy.envelope(asy.Oscillator({2: '1/20'}, spring='pendulum', x0=3))",
-    "curves.motions.Events": "motion.events(3)",
+    "curves.events.Events": "motion.events(3)",
     "curves.motions.Motion": "motion",
     "curves.motions.Reference": "asy.reference(osc)",
     "curves.shown_solution.SolutionPoint": "asy.solution({2: '1/10'}, order=3).at(7, digits=12)",

@@ -12,13 +12,13 @@ from asymptotics.law import LawLike, Oscillator
 from asymptotics.numbers.policy import Number
 
 if TYPE_CHECKING:
-    from asymptotics.ask.moving import Given
+    from asymptotics.law_given import Given
 
 DRIVEN = moving("its strength, in units m = k = 1", springs=False, start=())
 
 
 def _data(found: Response, request: Request) -> dict[str, Any]:
-    return {**found.to_dict(), "units": "SI" if cast("Given", request["law"]).si else None}
+    return {**found.to_dict(), "units": cast("Given", request["law"]).frame.units}
 
 
 @question(
