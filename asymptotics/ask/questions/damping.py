@@ -155,7 +155,9 @@ def _missing(found: EquivalentDamping, request: Request) -> tuple[int, str]:
         inverse=damping_law.__question__,  # type: ignore[attr-defined]
         again=AGAIN,
         lacks={"gauge": "what is observed is the same in every gauge", "points": "`--amplitudes` says which"},
-    )
+    ),
+    example="--alpha 2 --epsilon 1/10 --amplitudes 1 --digits 5",
+    rests="the energy of a half-swing, in balls, between certified turning points",
 )  # fmt: skip
 def damping(
     law: Annotated[LawLike | Oscillator | str, LOSING],

@@ -167,6 +167,9 @@ def _again(
     ),
     name="envelope",
     swept=True,
+    example="--alpha 2 --epsilon 1/10 --time 2 --digits 5",
+    rests="the averaged law in balls (`lancaster-average`, `two-laws-average`): certified for it, and it"
+    " approximates the motion",
 )
 def envelope_at(
     law: Annotated[LawLike | Oscillator, MOVES],

@@ -159,6 +159,9 @@ def _as_reference(point: Mapping[str, str], digits: int) -> dict[str, str]:
     ),
     name="motion",
     swept=True,
+    example="--alpha 2 --epsilon 1/10 --time 1 --order 1 --digits 5",
+    rests="a series that diverges: its error is measured, unless `--bound` proves one (`uniform-bound`,"
+    " `explicit-bound`)",
 )
 def motion_at(
     law: Annotated[LawLike | Oscillator, MOVES_OR_RESTS],

@@ -166,6 +166,8 @@ _KINDS = ", ".join(f"{name} {said}" for name, said in SHORTFALLS.items())
         },
     ),
     alone=False,
+    example="smith2012:43",
+    rests="the verdict of each statement, with its evidence: proved, certified, measured",
 )
 def papers(
     query: Annotated[str | Sequence[str], WHAT] = "",

@@ -30,6 +30,9 @@ def _data(found: Response, request: Request) -> dict[str, Any]:
         lacks={"gauge": "what is observed is the same in every gauge", "points": "the answer is no curve"},
     ),
     swept=True,
+    example="--law 2:1/10 --force 1/5 --omega 9/10 --digits 5",
+    rests="a trial orbit with its defect and a contraction, in balls, from exponent 1 on (`driven-unique`); below"
+    " it first order alone (`driven-first-order`)",
 )
 def response(
     law: Annotated[LawLike | Oscillator, DRIVEN],

@@ -123,6 +123,8 @@ def _typed(request: Request) -> None:
         lacks={"gauge": "the solution is in the turning-point gauge: A is the turning amplitude"},
     ),
     name="solution",
+    example="--alpha 2 --epsilon 1/10 --order 1 --time 1 --digits 5",
+    rests="the same series, explicit in the slow time: O(epsilon^N), not bounded",
 )
 def solution_at(
     law: Annotated[LawLike | Oscillator, MOVES_OR_FORMULAS],

@@ -141,7 +141,9 @@ def _missing(table: Table, _: Request) -> tuple[int, str]:
         certificate=lambda table, _: table.certificate(),
         missing=_missing,
         lacks={"gauge": "a table says in its title which gauge it is in", "points": "`--rows` says how many"},
-    )
+    ),
+    example="moments --alpha 1 --digits 5",
+    rests="what each table says of its route (`asymptotics table --list`)",
 )
 def table(
     name: Annotated[str, NAME] = "",

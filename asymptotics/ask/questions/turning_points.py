@@ -117,6 +117,9 @@ def _certificate(found: Any, request: Request) -> Any:
         lacks={"gauge": "what is observed is the same in every gauge", "points": "`--count` says how many"},
     ),
     swept=True,
+    example="--alpha 2 --epsilon 1/10 --count 2 --digits 5",
+    rests="balls: `turning-point-majorant`, `taylor-residual`, `motions-never-part`; springs:"
+    " `wells-majorant`, `wells-distance`",
 )
 def turning_points(
     law: Annotated[LawLike | Oscillator, MOVES],
