@@ -180,7 +180,7 @@ def expand(
     order: Annotated[int, whole(1, MAX_ORDER)] = 4,
     gauge: Annotated[str, choice(*GAUGES, letter="G", of="gauge")] = TURNING_POINT,
     exact: Annotated[bool, FLAG] = False,
-    best_order: Annotated[Number | None, REAL.called(letter="D")] = None,
+    best_order: Annotated[Number | None, REAL.called(letter="D", feeds={"delta": ("best_order",)})] = None,
     bound: Annotated[bool, FLAG] = False,
     digits: Annotated[int, digits(MAX_DIGITS)] = 30,
     max_seconds: Annotated[Number, SECONDS] = 60,
