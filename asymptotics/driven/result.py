@@ -15,7 +15,8 @@ from flint import acb, arb
 from asymptotics.driven import linear
 from asymptotics.driven.drive import Drive
 from asymptotics.driven.first_numbers import MAX_BITS, FirstOrder, Value, first_order_of
-from asymptotics.driven.orbit import orbit
+from asymptotics.driven.orbit import MAX_BITS as ORBIT_BITS
+from asymptotics.driven.orbit import bits_lost, orbit
 from asymptotics.driven.shown import ResponsePage
 from asymptotics.errors import LimitError
 from asymptotics.law import Oscillator
@@ -71,8 +72,12 @@ def respond(drive: Drive, digits: int) -> Response:
     if any(a < 1 for a in drive.alphas):
         reason = "the response itself is proved for exponents from 1 on: this law is served to first order alone"
         return Response(*asked, notes=(*notes, reason))
+    bits = bits_for(digits, 48) + bits_lost(drive)
+    if bits > ORBIT_BITS:
+        reason = f"beside so weak a loss {digits} digits of the response need about {bits} bits, more than {ORBIT_BITS}"
+        return Response(*asked, notes=(*notes, f"first order alone: {reason}"))
     try:
-        told = at_growing_precision(lambda _: _orbit(drive, digits), digits, bits_for(digits, 48), max_bits=MAX_BITS)
+        told = at_growing_precision(lambda _: _orbit(drive, digits), digits, bits, max_bits=ORBIT_BITS)
     except LimitError as error:
         # The time of the request is no property of the response.
         if error.argument == "max_seconds":
@@ -131,5 +136,7 @@ def _orbit(drive: Drive, digits: int) -> dict[str, Any]:
 def _decided(value: arb, digits: int, name: str) -> str:
     text = decimal_of(value, digits)
     if text is None:
-        raise TooWideError(f"{name} is {value.str(5)}", of=name)
+        known = value.rel_accuracy_bits()
+        lacking = bits_for(digits, 16) - known if known > 0 else None
+        raise TooWideError(f"{name} is {value.str(5)}", lacking, of=name)
     return text
