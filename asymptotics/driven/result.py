@@ -12,7 +12,7 @@ from typing import Any
 
 from flint import acb, arb
 
-from asymptotics.driven import linear
+from asymptotics.driven import first_order, linear
 from asymptotics.driven.drive import Drive
 from asymptotics.driven.first_numbers import MAX_BITS, FirstOrder, Value, first_order_of
 from asymptotics.driven.orbit import MAX_BITS as ORBIT_BITS
@@ -32,7 +32,8 @@ HARMONICS = (1, 3)
 class Response(ResponsePage):
     """The one periodic response: ``amplitude`` its largest |x|, ``x0`` and ``v0`` its state at t = 0, where the force
     is f; ``phase``: by how much its first harmonic lags behind the force; ``energy``: what it takes in a cycle;
-    ``harmonics``: n -> amplitude and phase of A_n cos(n theta - phase_n).
+    ``harmonics``: n -> amplitude and phase of A_n cos(n theta - phase_n); ``difference``: amplitude and phase less
+    those of first order, the digits that are proved, three at most, beside the estimate ``first_order.error``.
 
     Not ``certified``: these are None, and ``notes`` say why; the first order is there.
     """
@@ -48,13 +49,14 @@ class Response(ResponsePage):
     phase: str | None = None
     energy: str | None = None
     harmonics: dict[str, dict[str, str]] | None = None
+    difference: dict[str, str] | None = None
     certified: bool = False
     method: str = "first order alone"
     notes: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: the contract of ``asymptotics response --json``."""
-        names = ("amplitude", "x0", "v0", "phase", "energy", "harmonics")
+        names = ("amplitude", "x0", "v0", "phase", "energy", "harmonics", "difference")
         law = self.oscillator.law
         return {
             "law": str(law), "force": str(self.force), "omega": str(self.omega),
@@ -101,7 +103,9 @@ def _linear(drive: Drive, digits: int) -> dict[str, Any]:
     phase = told(lambda: _lag(linear.coefficient(drive)))
     harmonics = {"1": {"amplitude": numbers["amplitude"], "phase": phase}}
     method = "closed form: viscous damping alone"
-    return {**numbers, "phase": phase, "harmonics": harmonics, "certified": True, "method": method}
+    difference = {"amplitude": "0", "phase": "0"}
+    found = {**numbers, "phase": phase, "harmonics": harmonics, "difference": difference}
+    return {**found, "certified": True, "method": method}
 
 
 def _lag(C: acb) -> arb:
@@ -130,6 +134,13 @@ def _orbit(drive: Drive, digits: int) -> dict[str, Any]:
         }
         for n, C in waves.items()
     }
+    balls = drive.balls()
+    A = first_order.amplitude(balls)
+    beyond = {"amplitude": numbers["amplitude"] - A, "phase": numbers["phase"] - first_order.phase(balls, A)}
+    proved = {
+        name: next(filter(None, (decimal_of(value, d) for d in (3, 2, 1))), None) for name, value in beyond.items()
+    }
+    told["difference"] = {name: text for name, text in proved.items() if text is not None}
     return {**told, "certified": True, "method": "trial orbit in balls, contraction over half a period"}
 
 
