@@ -30,6 +30,7 @@ class ResponsePage(Drawn):
     phase: str | None
     energy: str | None
     harmonics: dict[str, dict[str, str]] | None
+    difference: dict[str, str] | None
     certified: bool
     method: str
     notes: tuple[str, ...]
@@ -39,6 +40,9 @@ class ResponsePage(Drawn):
         first = self.first_order
         rows = [("amplitude", self.amplitude, first.amplitude), ("x0", self.x0, None), ("v0", self.v0, None),
                 ("phase", self.phase, first.phase), ("energy per cycle", self.energy, None)]  # fmt: skip
+        for name in ("amplitude", "phase"):
+            label = f"{name} beyond first order"
+            rows.append((label, (self.difference or {}).get(name), _estimate(first.errors().get(name))))
         for n, wave in (self.harmonics or {}).items():
             rows += [(f"{name} of harmonic {n}", value, None) for name, value in wave.items()]
         rows.append(("c_eq", None, first.c_eq))
@@ -93,6 +97,10 @@ class ResponsePage(Drawn):
             label = "the response, certified"
             axes.plot([float(here.mid())], [float(self.amplitude)], "o", markersize=4, label=label)
         axes.set(xlabel="Omega", ylabel="amplitude")
+
+
+def _estimate(text: str | None) -> str | None:
+    return f"{text} (estimate)" if text not in (None, "0") else text
 
 
 def _amplitude(drive: Drive, omega: float) -> arb:
