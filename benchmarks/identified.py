@@ -2,8 +2,8 @@
 
 What is counted: records with an answer; 95 % intervals of the true law's strengths that hold the truth; records in
 which the true law is among the consistent ones; records with another law called identified, and with laws that the
-limit of work left untried.  The seeds of the printed
-table are used for nothing else.  ``size`` is the number of records, which go round the classes.
+limit of work left untried.  The seeds of the printed table are used for nothing else.  ``size`` is the number of
+records, which go round the classes.
 
 ``--store FILE`` keeps one line of JSON for each record as soon as it is judged: an interrupted run goes on where it was
 (records of the same seed and code; what other code judged is left alone).
@@ -28,7 +28,8 @@ from benchmarks.table import Table, seconds_text
 SIZE, PATIENCE = 240, 600
 """Seconds for one record: more than it needs on a machine that is not idle, so that no verdict depends on the load."""
 _HEAD = (
-    "class", "records", "answered", "intervals", "covered", "law consistent", "identified", "wrongly", "untried", "CPU s",
+    "class", "records", "answered", "intervals", "covered", "law consistent", "identified", "wrongly", "untried",
+    "CPU s",
 )  # fmt: skip
 
 
