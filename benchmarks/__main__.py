@@ -32,6 +32,7 @@ BENCHMARKS = {
     "fits": "fits",
     "identified": "identified",
     "certificates": "certificates",
+    "double-errors": "double_errors",
 }
 """The name of each benchmark, and its module: a function ``run`` that takes a size, and the ``PEERS`` that it asks."""
 WHOLE = {"identified": 15}
@@ -40,6 +41,7 @@ QUICK = {
     "smith-rows": 200, "cubic-damping": 1, "cost-against-order": 16, "costs": 10, "turning-points": 300,
     "certified-orbits": 20, "integrators": 100, "certified-motion": 400, "hypergeometric": 300, "comparing": 10_000,
     "multiple-scales": 1, "start-up": 1, "promises": 4, "fits": 200, "identified": 2, "certificates": 2,
+    "double-errors": 1,
 }  # fmt: skip
 """Sizes of ``--quick``."""
 

@@ -24,6 +24,8 @@ from hypothesis import strategies as st
 
 import asymptotics as asy
 from asymptotics.errors import MAX_ACCEPTED, MAX_REASON
+from asymptotics.frames import BARE, frame_of
+from tests.every_question import IN_PYTHON, call_of, usual
 
 OSC = asy.Oscillator(asy.Law({"3/2": "1/10"}), mass="3/2", stiffness=30, x0="1/5")
 
@@ -89,21 +91,22 @@ KINDS = (  # one of each kind, for `make test`; all of them are walked by `make 
 WALKED = pytest.mark.parametrize(
     "kinds", [KINDS, pytest.param(tuple(HOSTILE), marks=pytest.mark.slow)], ids=["few", "all"]
 )
-FUNCTIONS = {
+CHEAPER = {  # or not among the questions
     "S": {"u": "1/4", "w": "-1/4"}, "T": {"u": "1/4", "w": "-1/4"}, "radii": {"w": "1/2"},
     "C": {"n": 5, "i": 3}, "Coefficient": {"value": "1", "expression": None}, "ExactReal": {"coefficient": 1},
     "G": {"i": 2}, "Law": {"law": {2: 1}}, "Oscillator": {"law": {2: 1}}, "PhysicalLaw": {"law": {2: 1}},
     "damping": {"law": {2: "1/10"}, "amplitudes": 1, "digits": 5, "motion": False},
     "derive": {"name": None}, "envelope": {"law": OSC}, "expand": {"law": "3/2", "order": 2}, "f": {"n": 3},
-    "half_swing": {"law": 2, "order": 2}, "limit_cycle": {"law": {1: -1, (1, 2): 1}, "order": 2}, "moment": {"p": 1},
+    "half_swing": {"law": 2, "order": 2}, "limit_cycle": {"law": {1: -1, (1, 2): 1}, "order": 2},
     "motion": {"law": OSC, "order": 2}, "multiple_scales": {"law": 3, "order": 2}, "paper": {"id": "smith2012:43"},
     "any_start": {"scales": asy.multiple_scales(2, order=1)}, "map_of_gauges": {"law": 3},
     "remainder": {"law": 2, "order": 2}, "reference": {"law": OSC}, "solution": {"law": {2: "1/10"}, "order": 2},
     "waveforms": {"law": "3/2", "order": 2},
     "statements": {}, "table": {"name": "smith2012.table1", "digits": 9}, "table_names": {},
-    "response": {"law": {2: "1/10"}, "force": "1/5", "omega": 1, "digits": 5},
-    "stokes": {"alpha": 0}, "turning_points": {"law": {2: 1}, "count": 2, "digits": 9},
+    "stokes": {"alpha": 0},
 }  # fmt: skip
+ASKED = {name.replace("-", "_"): usual(call_of(name)) for name in IN_PYTHON}
+FUNCTIONS = {name: arguments for name, arguments in (ASKED | CHEAPER).items() if arguments and name != "compare"}
 ELSEWHERE = {
     "damping_law",
     "compare",
@@ -308,8 +311,9 @@ def test_the_gate_serves_methods_too(kinds):
 
 def test_constructors_of_results_check_what_they_are_given():
     usual = {
-        asy.Motion: {"oscillator": OSC, "order": 2, "gauge": "turning-point"},
-        asy.Reference: {"oscillator": OSC, "static": None}, asy.Envelope: {"oscillator": OSC, "averaging": "mean"},
+        asy.Motion: {"oscillator": OSC, "order": 2, "gauge": "turning-point", "frame": frame_of(OSC)},
+        asy.Reference: {"oscillator": OSC, "static": None, "frame": BARE},
+        asy.Envelope: {"oscillator": OSC, "averaging": "mean", "frame": BARE},
     }  # fmt: skip
     failed = []
     for made, arguments in usual.items():

@@ -171,6 +171,8 @@ def _typed(request: Request) -> None:
         lacks={"plot": "equations are no curve; `motion` and `envelope` draw", "points": "there is no curve"},
     ),
     swept=True,
+    example="--alpha 2 --order 1 --digits 5",
+    rests="formal series: whole exponents exact, others in balls (`quarter-swing-tail`)",
 )
 def expand(
     law: Annotated[LawLike | Oscillator, TERMS_IN_UNITS],
