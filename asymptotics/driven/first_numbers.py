@@ -62,9 +62,7 @@ class FirstOrder(Shown):
 def first_order_of(drive: Drive, digits: int) -> FirstOrder:
     """The numbers of first order, correctly rounded."""
     tick("first order")
-
-    def told(evaluate: Callable[[], Value]) -> str:
-        return certified_decimal(evaluate, digits, max_bits=MAX_BITS)
+    told = partial(_told, digits)
 
     def A() -> arb:
         return first_order.amplitude(drive.balls())
@@ -74,7 +72,7 @@ def first_order_of(drive: Drive, digits: int) -> FirstOrder:
     else:
         amplitude, c_eq = told(A), told(lambda: first_order.damping(drive, A()))
     phase = told(lambda: first_order.phase(drive.balls(), A()))
-    return FirstOrder(amplitude, phase, c_eq, _resonance(drive, told), _peak(drive, told), _error(drive))
+    return FirstOrder(amplitude, phase, c_eq, resonance(drive, digits), _peak(drive, told), _error(drive))
 
 
 def _error(drive: Drive) -> dict[str, str] | None:
@@ -88,10 +86,16 @@ def _strength(drive: Drive) -> Value:
     return b if isinstance(b, ExactReal) else b.ball()
 
 
-def _resonance(drive: Drive, told: Callable[[Callable[[], Value]], str]) -> dict[str, str] | None:
-    # Dry friction alone does not bound the amplitude there.
+def _told(digits: int, evaluate: Callable[[], Value]) -> str:
+    return certified_decimal(evaluate, digits, max_bits=MAX_BITS)
+
+
+def resonance(drive: Drive, digits: int) -> dict[str, str] | None:
+    """Amplitude at omega_0, Q there of the decay and of the width; None for dry friction alone, which does not bound
+    it."""
     if all(a.is_zero for a in drive.alphas):
         return None
+    told = partial(_told, digits)
 
     def A() -> arb:
         return first_order.amplitude(drive.balls_at_resonance())

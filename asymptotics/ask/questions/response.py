@@ -24,7 +24,7 @@ def _data(found: Response, request: Request) -> dict[str, Any]:
 @question(
     Offers(
         latex="print the first harmonic as LaTeX",
-        picture="the amplitude of first order against Omega, and that of the response",
+        picture="amplitude and phase of first order against Omega, the backbone of the free decay, and the response",
         table="the numbers",
         data=_data,
         lacks={"gauge": "what is observed is the same in every gauge", "points": "the answer is no curve"},
