@@ -44,8 +44,8 @@ def draw_backbone(axes: Any, laws: list[Judged], unit: str) -> None:
     rows = () if bare is None else bare.backbone
     if rows:
         a, low, middle, high = (np.array([row[k] for row in rows]) for k in ("amplitude", "low", "estimate", "high"))
-        ends = (middle - low, high - middle)
-        axes.errorbar(a, middle, ends, fmt="o", markersize=3, color="0.4", label="before any law")
+        reach = (middle - low, high - middle)
+        axes.errorbar(a, middle, reach, fmt="o", markersize=3, color="0.4", label="before any law")
     axes.ticklabel_format(axis="y", useOffset=False)
     axes.set(xlabel=f"amplitude ({unit})" if unit else "amplitude", ylabel=f"period ({clock})")
     head(axes, ["backbone: period against amplitude"])
