@@ -195,6 +195,16 @@ def test_no_cycles_between_modules():
         visit(name, ())
 
 
+def test_no_two_rooms_have_a_class_of_one_name():
+    """A name that is searched for leads to one place; those with an underscore belong to their file."""
+    found = {}
+    for path in files("asymptotics"):
+        for node in nodes(path):
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                found.setdefault(node.name, []).append(str(path))
+    assert {name: there for name, there in found.items() if len(there) > 1} == {}
+
+
 def test_files_stay_small_and_safe():
     for path in (p for top in TOP for p in files(top)):
         assert path.read_text().count("\n") <= 400, path
