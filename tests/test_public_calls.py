@@ -26,9 +26,7 @@ import asymptotics as asy
 from asymptotics.errors import MAX_ACCEPTED, MAX_REASON
 from asymptotics.frames import BARE, frame_of
 from tests.every_question import IN_PYTHON, call_of, usual
-
-OSC = asy.Oscillator(asy.Law({"3/2": "1/10"}), mass="3/2", stiffness=30, x0="1/5")
-
+from tests.worlds import OSCILLATOR as OSC
 
 DECAY = {"n": list(range(12)), "x": [(-0.9) ** n for n in range(12)]}
 FAR = range(10**18)  # more numbers than there is memory for
