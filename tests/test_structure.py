@@ -126,6 +126,7 @@ LATE = {  # what a function loads only when it is asked, and why: none of them d
     "asymptotics/shell/entry.py": "everything, inside the shell that answers interrupts",
     "asymptotics/ask/questions/expand.py": "NumPy, which expand does not need",
     "asymptotics/shell/main.py": "SymPy, which --help, --version and --completion do not need",
+    "asymptotics/ask/questions/moment.py": "SymPy, which neither the digits nor the text of M_p need",
     "asymptotics/ask/questions/multiple_scales.py": "NumPy and splines, where values of waveforms are asked for",
     "asymptotics/ask/questions/smith.py": "SymPy, which f and c do not need",
     "asymptotics/shell/standard_tables.py": "everything, inside the shell that answers interrupts",

@@ -26,7 +26,7 @@ from asymptotics.terms import Term
 SYMBOLIC = "symbolic"
 LAW_FEEDS: Mapping[str, tuple[str, ...]] = MappingProxyType({  # a parameter of the library: options that may set it
     "alpha": ("law", "alpha"), "alphas": ("law", "alpha"), "law": ("law", "alpha"),
-    "b": ("law", "damping", "epsilon"), "epsilon": ("law", "epsilon", "damping"), "spring": ("spring",),
+    "strength": ("law", "damping", "epsilon"), "epsilon": ("law", "epsilon", "damping"), "spring": ("spring",),
     "amplitude": ("amplitude", "x0"), "x0": ("x0",), "v0": ("v0",), "mass": ("mass",), "stiffness": ("stiffness",),
 })  # fmt: skip
 

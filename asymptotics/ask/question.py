@@ -171,6 +171,10 @@ class Question:
         special = any(getattr(options, name, None) for name in ("spring", "v0", "delta"))
         if self.offers.oscillator_alone or (self.offers.from_rest and not special):
             return []
+        return self.told(options)
+
+    def told(self, options: argparse.Namespace) -> list[str]:
+        """The request in words: the command, and the options that were given."""
         told = [self.name]
         for option in self.header_options:
             value = getattr(options, option.key, None)

@@ -131,7 +131,7 @@ class ImplicitSolution(ProvedCurve):
         """A, phi and x at a time t of the oscillator, in its units."""
         require_oscillator(oscillator)
         found = AsymptoticMotion.of(oscillator, self.order, TURNING_POINT).at(time, digits)
-        return SolutionPoint(found.amplitude or "0", found.phase or "0", found.x)
+        return SolutionPoint(found.amplitude or "0", found.phase, found.x)
 
     @public
     def sample(self, times: Any, *, max_seconds: Number = 60) -> tuple[Any, Any, Any]:

@@ -221,7 +221,7 @@ class Envelope(SlowNumbers, Drawn):
             return np.full_like(times_of(t), np.nan)
         # The difference below puts phi = 0 at the start, where the motion of order 2 has its own phi(0).
         motion, rate = self._turning
-        phi = motion.sample(np.asarray(times_of(t)) * rate).phase - motion.sample([0.0]).phase[0]
+        phi = motion.phases(np.asarray(times_of(t)) * rate) - motion.phases(np.zeros(1))[0]
         # From the extinction on there is no amplitude, and a phase of nothing is NaN, not the last value.
         return np.where(self.amplitudes(t) > 0, phi, np.nan)
 

@@ -129,6 +129,14 @@ class AsymptoticMotion:
         lost = int(missing.sum()), int(gone.sum())
         return MotionSamples(times, x, v, a, phi, self.order, self.gauge, *lost, end, notes, frame_of(self.oscillator))
 
+    def phases(self, t: Array) -> Array:
+        """phi of the slow flow at an array of times t >= 0 in s, which knows no end by friction; doubles."""
+        times = np.asarray(t, dtype=float)
+        known = np.isnan(times)
+        omega = float(self.oscillator.omega_0())
+        found = self._doubles.phases(np.where(known, 0.0, times).ravel() * omega).reshape(times.shape)
+        return np.where(known, np.nan, found)
+
     def double_errors(self, t: Array) -> dict[str, Array]:
         """How far the doubles of ``sample`` are from the expansion, by the names of its columns; estimates."""
         omega, length = (float(x) for x in (self.oscillator.omega_0(), self.oscillator.length()))

@@ -98,7 +98,7 @@ def test_units():
 
 @pytest.mark.parametrize(
     ("law", "order", "argument"),
-    [({2: 1}, 0, "order"), ({2: 1}, 13, "order"), ({-2: 1}, 2, "alpha"), ({2: -1}, 2, "b"), ("-1", 2, "alpha")],
+    [({2: 1}, 0, "order"), ({2: 1}, 13, "order"), ({-2: 1}, 2, "alpha"), ({2: -1}, 2, "strength"), ("-1", 2, "alpha")],
 )  # fmt: skip
 def test_bad_input_is_refused_by_name(law, order, argument):
     with pytest.raises(InputError, match=f"argument {argument}"):

@@ -122,7 +122,12 @@ def moved_by(shift: arb, monkeypatch) -> tuple[trial.Trial, Orbit, arb]:
     drive = Drive.read(Oscillator({1: "1/100"}), 1, 1)
     with ctx.workprec(100):
         C = linear.coefficient(drive)
-        monkeypatch.setattr(trial, "_refined", lambda balls, both, theta, X: (exact[0], exact[1] + shift))
+
+        def moved(balls, both, *_):
+            theta, X = exact[0], exact[1] + shift
+            return theta, X, trial.march(balls, both, theta, X)
+
+        monkeypatch.setattr(trial, "_refined", moved)
         monkeypatch.setattr(guess, "turning_point", lambda *_: (0.0, 0.0))
         unit = first_order.amplitude(drive.balls()).mid()
         exact = ((-C.arg() - arb.pi()).mid(), (-abs(C) / unit).mid())

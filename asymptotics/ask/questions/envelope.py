@@ -156,6 +156,7 @@ def _again(
         data=_data,
         text=_text,
         as_latex=lambda found, _: str(found.formulas["latex"]),
+        formula=lambda found, _: found.formulas["latex"] or "",
         as_csv=_csv,
         drawn=_drawn,
         style=_style,

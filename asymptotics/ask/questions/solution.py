@@ -73,7 +73,8 @@ def _text(found: SolutionAtTime, request: Request) -> str:
         lines += [f"A       = {A}", f"phi     = {phi}", f"units   {meaning}"]
     if found.values:
         frame = cast("Given", request["law"]).frame
-        values = {name.removesuffix("_value"): text for name, text in found.values.items()}
+        # No phase is told where the mass is held or the amplitude has vanished.
+        values = {name.removesuffix("_value"): text for name, text in found.values.items() if text}
         lines += [f"{name:10} {frame.told(name, text)}" for name, text in values.items()]
     lines += ["bound: proved, |x - x_N| is at most this"] if found.bound is not None else []
     return "\n".join(lines)
@@ -114,6 +115,7 @@ def _typed(request: Request) -> None:
         data=_data,
         text=_text,
         as_latex=_latex,
+        formula=lambda found, _: found.solution.latex(standalone=False),
         as_csv=_csv,
         drawn=_drawn,
         style=lambda found, _: {"until": found.time},

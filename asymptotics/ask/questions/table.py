@@ -125,6 +125,7 @@ def _missing(table: Table, _: Request) -> tuple[int, str]:
 @question(
     Offers(
         latex="as --format latex",
+        formula=lambda *_: "",
         picture="its columns of numbers against its key",
         table="the table with its provenance (as --format csv --output FILE)",
         more=(

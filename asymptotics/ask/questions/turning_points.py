@@ -110,6 +110,7 @@ def _certificate(found: Any, request: Request) -> Any:
         data=_data,
         text=_text,
         as_latex=lambda found, _: found._formula(),
+        formula=lambda *_: "",  # its table has it all
         as_csv=_csv,
         certificate=_certificate,
         missing=_missing,
@@ -224,5 +225,5 @@ def _routes(moving: Given, count: int, digits: int, start: int, times: bool) -> 
     # As it is computed: from 1, with strengths epsilon_i x0^(alpha_i-1), unless springs or a speed forbid it.
     pure = moving.oscillator.law.is_pure and moving.oscillator.v0.is_zero
     law, kick = dimensionless(moving.oscillator) if moving.frame or pure else _bare(moving.oscillator)
-    offered = offers(table.Request.read(law, count, digits, start=start, times=times, **kick))
+    offered = offers(table.PointsRequest.read(law, count, digits, start=start, times=times, **kick))
     return Routes(tuple((r.name, "no" if s is None else f"{s:.2g}", r.domain, r.way) for r, s in offered))

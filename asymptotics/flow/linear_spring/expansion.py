@@ -27,8 +27,9 @@ while |y - y_0| <= d the first holds, so that |dy/dw| <= w/p and the distance st
 ('[0.998043212541 +/- ...]', '[0.0625799720549 +/- ...]')
 """
 
-from dataclasses import dataclass
-from math import ceil, prod
+from dataclasses import dataclass, replace
+from itertools import zip_longest
+from math import ceil, lcm, prod
 from operator import mul
 
 from flint import arb, arb_poly
@@ -39,11 +40,13 @@ from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.kept_terms import KeptTerms, plan_for, sums_below
 from asymptotics.flow.linear_spring.majorant import majorant
 from asymptotics.flow.linear_spring.rows import Row, rows_below
-from asymptotics.numbers.context import ctx
+from asymptotics.numbers.context import cached_property, ctx
 
 # Sums of at most about 3000 terms lose log2 of that many, 12 bits; the loss is in the balls anyhow.
 _SUMMED = 12  # bits more for sums of hundreds of terms
 _FAINTEST = 2.0**20  # -log2 of the least reach that is looked for
+_LONGEST = 400  # coefficients of a line for many speeds: of 3/2 a place costs a tenth of what it does by rows
+_NONE = arb(0)
 _STEPS = 4  # delta^(1/alpha) is rounded up to a quarter of a power of two: plans are shared
 
 
@@ -51,7 +54,7 @@ _STEPS = 4  # delta^(1/alpha) is rounded up to a quarter of a power of two: plan
 class TurningExpansion:
     """y(w) and tau(w)/w at the turning point ``y0`` for 0 <= w <= ``reach``, with the bounds of their tails.
 
-    ``terms`` many coefficients: of the powers of w^(1/q) on a ``line`` (y, tau/w), else of the ``rows``.
+    ``terms`` many coefficients: of the powers of w^(1/``root``) on a ``line`` (y, tau/w), else of the ``rows``.
     """
 
     damping: Damping
@@ -62,6 +65,7 @@ class TurningExpansion:
     rows: tuple[Row, ...]
     tail: arb
     time_tail: arb
+    root: int = 1
 
     @classmethod
     def at(cls, damping: Damping, y0: arb, w: arb | None = None) -> "TurningExpansion":
@@ -84,7 +88,7 @@ class TurningExpansion:
         # over |P_0|, as tau_(e+1) = Q_e/(e+1) is no larger.
         small = upper(factor * bound * abs(y0))
         slow = upper(factor * bound / (1 - bound) / abs(y0))
-        return cls(damping, y0, reach, plan, line, rows, small, slow)
+        return cls(damping, y0, reach, plan, line, rows, small, slow, plan.denominator)
 
     @classmethod
     def _short(cls, damping: Damping, y0: arb, reach: arb, plan: KeptTerms) -> "TurningExpansion":
@@ -98,7 +102,7 @@ class TurningExpansion:
     @property
     def terms(self) -> int:
         """How many terms are kept."""
-        return self.plan.count if self.line else sum(len(y) for _, y, _ in self.rows)
+        return sum(len(y) for _, y, _ in self.rows) if self.rows else self.plan.count
 
     def speed(self, _unit: arb) -> arb:
         """A bound of |(y', w')| within the reach, on both sides of the turning point: |P| <= 2 |P_0| where r < 1."""
@@ -123,12 +127,36 @@ class TurningExpansion:
         if not w <= self.reach:
             raise ValueError("the speed is beyond the reach of the expansion")
         if self.line is not None:
-            s = (w.log() / self.plan.denominator).exp()
+            s = w.root(self.root)
             y, slowness = (polynomial(s) for polynomial in self.line)
         else:
             with ctx.workprec(ctx.prec + _SUMMED):
                 y, slowness = self._by_rows(w)
         return y + arb(0, self.tail), w * (slowness + arb(0, self.time_tail))
+
+    @cached_property
+    def gathered(self) -> "TurningExpansion":
+        """The same at the current precision for many speeds: its rows on one line, where the exponents allow a short
+        one."""
+        if not self.rows or not all(a.is_rational for a in self.damping.alphas):
+            return self
+        q = lcm(*(a.rational.denominator for a in self.damping.alphas))
+        steps = [int(a.rational * q) for a in self.damping.alphas]
+        starts = [sum(map(mul, m, steps)) for m, _, _ in self.rows]
+        length = max(k + 2 * q * (len(row) - 1) for k, (_, row, _) in zip(starts, self.rows)) + 1
+        if length > _LONGEST:
+            return self
+        with ctx.workprec(ctx.prec + _SUMMED):
+            # In units of y_0 the monomial of a row is that of the exponents times the powers of epsilon_i/y_0.
+            shares = [e / self.y0 for e in self.damping.strengths]
+            square, ys, slow = 1 / self.y0**2, [arb(0)] * length, [arb(0)] * length
+            for k, (m, row, slow_row) in zip(starts, self.rows):
+                unit = prod((x**n for x, n in zip(shares, m)), start=arb(1))
+                for j, (a, b) in enumerate(zip_longest(row.coeffs(), slow_row.coeffs(), fillvalue=_NONE)):
+                    ys[k + 2 * q * j] += unit * a
+                    slow[k + 2 * q * j] += unit * b
+                    unit *= square
+            return replace(self, line=(arb_poly(ys) * self.y0, arb_poly(slow) * (1 / self.y0)), root=q)
 
     def _by_rows(self, w: arb) -> tuple[arb, arb]:
         """(y, tau/w) without the tails."""
