@@ -26,13 +26,14 @@ from flint import arb
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.decimals import rational_decimal
 from asymptotics.numbers.digits import ball_of, interval_of, spread
-from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.policy import exact_integer, exact_number
 from asymptotics.numbers.rationals import decimal_fraction
 from asymptotics.present.shown import Page, Shown
 
 if TYPE_CHECKING:
     from sympy import Expr
 
+_MAX_POWER = 1000  # a choice: more leaves no digit of most numbers
 # SymPy and mpmath are loaded by who asks for them: a table of digits takes less time than either.
 
 
@@ -145,6 +146,13 @@ class Coefficient(Shown):
 
     def __neg__(self) -> Any:
         return 0 - self
+
+    def __pow__(self, n: int) -> Any:
+        power = exact_integer(n, "power", -_MAX_POWER, _MAX_POWER)
+        return self._combined(1, lambda a, one: a**power if power >= 0 else _quotient(one, a**-power))
+
+    def __abs__(self) -> Any:
+        return self._combined(0, lambda a, _: abs(a))
 
     __radd__, __rmul__ = __add__, __mul__
 

@@ -17,7 +17,7 @@ OTHERS = {
     "flow/secant.py::secant": "Newton's steps gain bits and start with few: a choice, fully precise in the end",
     "flow/times.py::_speed_at": "Newton's steps gain bits and start with few: a choice, fully precise in the end",
     "limit_cycles/certified.py::excess": "the first of two precisions that gives a guess in doubles",
-    "motions/frame.py::_refined": "Newton's steps gain bits and start with few: a choice, fully precise in the end",
+    "motions/truncation.py::_refined": "Newton's steps gain bits and start with few: a choice, precise in the end",
     "numbers/exact.py::ball": "an exact number that is not 0: it ends without a limit",
     "numbers/precision.py::at_growing_precision": "the one loop",
 }

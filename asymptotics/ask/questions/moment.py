@@ -40,6 +40,8 @@ def _latex(found: Coefficient, request: Request) -> str:
         },
     ),
     swept=True,
+    example="--p 2 --digits 5",
+    rests="balls (`certified_zero`: exact where it is rational)",
 )
 def moment(
     p: Annotated[Number, REAL.called(letter="P", told=f", at most {MAX_P}")],
