@@ -2,8 +2,8 @@
 What does a resonance tell of the damping?
 ==========================================
 
-Under a harmonic force there is one response, whatever the law: the amplitude at the peak and the width of the peak depend
-on the force as the exponent says.  The Q of the width is that of the decay for viscous damping alone.
+Under a harmonic force there is one response, whatever the law: the amplitude at the peak and the width of the peak
+depend on the force as the exponent says.  The Q of the width is that of the decay for viscous damping alone.
 """
 
 import matplotlib.pyplot as plt
