@@ -46,6 +46,7 @@ docs: $(VENV)/.docs
 	$(RUN) sphinx -W --keep-going -q -b html docs build/docs
 	$(RUN) sphinx -W --keep-going -q -b doctest docs build/doctest
 	$(RUN) tests.docs_drawn build/docs
+	$(RUN) tests.docs_searched build/docs
 	$(RUN) tests.notebook build/notebook
 
 # What a release would ship, tried: built, its metadata checked, installed into a fresh environment and used there from an empty folder.

@@ -35,7 +35,8 @@ if TYPE_CHECKING:
     from asymptotics.ask.questions.table import table
     from asymptotics.ask.questions.turning_points import turning_points
     from asymptotics.bounds.remainder import remainder
-    from asymptotics.curves.motions import Events, Motion, Reference, motion, reference
+    from asymptotics.curves.events import Events
+    from asymptotics.curves.motions import Motion, Reference, motion, reference
     from asymptotics.curves.pictures import plot
     from asymptotics.curves.slow import Envelope, envelope
     from asymptotics.curves.solution import solution

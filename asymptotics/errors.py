@@ -13,6 +13,7 @@ line ends and what else does not print are escaped, and what is long loses its m
 
 from collections.abc import Iterable
 
+_VOWELS = ("ndarray", "mpf", "mpc")  # types whose first letter is spoken as a vowel
 # What keeps a message on one line that is read at a glance; of anything longer the middle is left out.
 MAX_ARGUMENT, MAX_REASON, MAX_ACCEPTED = 60, 240, 400
 
@@ -42,6 +43,15 @@ class InputError(ValueError):
         return f"argument {argument}: {reason} (accepted: {printable(self.accepted, MAX_ACCEPTED)})"
 
 
+class AbsentError(InputError, AttributeError):
+    """A property that this value has not: ``hasattr`` says no, as of any other name.
+
+    >>> from asymptotics.numbers.exact import ExactReal
+    >>> hasattr(ExactReal(1, 2), "rational"), hasattr(ExactReal(1, 4), "rational")
+    (False, True)
+    """
+
+
 class LimitError(InputError):
     """A value that could be used but asks for more work than the stated limit; the reason carries the estimate."""
 
@@ -59,7 +69,7 @@ def shown(value: object) -> str:
     """An offending value for a message: what was typed, of foreign objects only the type, whose repr may be anything.
 
     >>> shown("averag"), shown(None), shown(object())
-    ("'averag'", 'None (NoneType)', 'a object')
+    ("'averag'", 'None (NoneType)', 'an object')
     """
     kind = type(value).__name__
     # 60 characters and 40 digits are for a message on one line;
@@ -70,7 +80,7 @@ def shown(value: object) -> str:
         return f"{value} ({kind})" if abs(value) < 10**40 else f"an integer of {value.bit_length()} bits"
     if value is None or isinstance(value, bool | float | complex | bytes):
         return f"{value!r:.60} ({kind})"
-    return f"a {kind}"
+    return f"{'an' if kind in _VOWELS or kind[0] in 'aeioAEIO' else 'a'} {kind}"
 
 
 def require_choice(value: object, argument: str, choices: Iterable[str]) -> str:

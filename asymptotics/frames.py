@@ -1,4 +1,4 @@
-"""The frame in which places and times are told: their units, or none.
+"""The frame in which places, speeds and times are told: their units, or none.
 
 A law alone is the oscillator with m = k = x0 = 1: its places are in units of x0, its time is tau = omega_0 t.
 
@@ -8,8 +8,11 @@ A law alone is the oscillator with m = k = x0 = 1: its places are in units of x0
 
 from dataclasses import dataclass
 
+from asymptotics.errors import InputError, shown
 from asymptotics.law import Oscillator
 from asymptotics.present.shown import Page, Shown
+
+_TIMES = ("t", "time", "period", "extinction")
 
 
 @dataclass(frozen=True, repr=False)
@@ -22,29 +25,64 @@ class Frame(Shown):
     def _page(self) -> Page:
         return Page(f"x in {self.x or 'units of x0'}, {self.time} in {self.t or '1/omega_0'}")
 
+    def __bool__(self) -> bool:
+        """Whether there are units."""
+        return bool(self.t)
+
     @property
     def time(self) -> str:
         """What the time is called."""
         return "t" if self.t else "tau"
 
+    @property
+    def units(self) -> str | None:
+        """What JSON says of them: SI, or nothing."""
+        return "SI" if self.t else None
+
     def unit(self, name: str) -> str:
-        """The unit of x, t or tau."""
-        return self.x if name == "x" else self.t
+        """The unit of a quantity by its name: times, v, the phase; every other one is a place.
+
+        >>> frame = Frame("m", "s")
+        >>> [frame.unit(name) for name in ("t", "v", "phase", "amplitude")]
+        ['s', 'm/s', 'rad', 'm']
+        """
+        if not self.t:
+            return ""
+        return self.t if name in _TIMES else {"v": f"{self.x}/{self.t}", "phase": "rad"}.get(name, self.x)
 
     def named(self, name: str) -> str:
-        """A column with its unit."""
+        """A column with its unit; the time by the name that it has here."""
+        name = self.time if name == "t" else name
         return f"{name} [{unit}]" if (unit := self.unit(name)) else name
 
-    def told(self, name: str, value: str) -> str:
+    def axis(self, name: str) -> str:
+        """An axis with its unit."""
+        if name == "t" and not self.t:
+            return r"$\tau = \omega_0 t$"
+        return f"{name} ({unit})" if (unit := self.unit(name)) else name
+
+    def told(self, name: str, value: object) -> str:
         """A value with its unit."""
-        return f"{value} {unit}" if (unit := self.unit(name)) else value
+        return f"{value} {unit}" if (unit := self.unit(name)) else f"{value}"
 
     def latex(self, name: str, value: str) -> str:
         """The same as LaTeX."""
         return rf"{value}\,\mathrm{{{unit}}}" if (unit := self.unit(name)) else value
 
+    @property
+    def in_words(self) -> str:
+        """The units in a line."""
+        return f"SI: x in {self.x}, t in {self.t}" if self.t else "no units: m = k = x0 = 1"
+
 
 BARE = Frame()
+
+
+def require_frame(value: object) -> Frame:
+    """``value`` if it is a frame; InputError otherwise."""
+    if not isinstance(value, Frame):
+        raise InputError("frame", f"{shown(value)} is no frame", "a Frame")
+    return value
 
 
 def frame_of(oscillator: Oscillator | None) -> Frame:

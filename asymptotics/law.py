@@ -125,11 +125,13 @@ class _Sum(Shown):
         >>> Law({2: -1}).require_dissipative("sequence of turning points to rest")
         Traceback (most recent call last):
             ...
-        asymptotics.errors.InputError: argument b: -1 is negative: anti-damping has no ... (accepted: b >= 0)
+        asymptotics.errors.InputError: argument strength: -1 is negative: anti-damping has no ... (accepted: ...)
         """
         for t in self.losses:
             if t.strength.sign < 0:
-                raise InputError("b", f"{t.strength} is negative: anti-damping has no {purpose}", "b >= 0")
+                raise InputError(
+                    "strength", f"{t.strength} is negative: anti-damping has no {purpose}", "strengths >= 0"
+                )
 
     def to_dict(self) -> dict[str, object]:
         """JSON-ready: numbers are strings."""

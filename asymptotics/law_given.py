@@ -9,13 +9,56 @@ asymptotics.errors.InputError: argument law: its strengths are b in SI, and epsi
 """
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from asymptotics.errors import InputError, shown
-from asymptotics.law import Law, Oscillator
+from asymptotics.frames import BARE, Frame, frame_of
+from asymptotics.law import Law, Oscillator, of_unit_start
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import exact_number
 from asymptotics.terms import Term
+
+
+@dataclass(frozen=True)
+class Given:
+    """An oscillator, and the frame in which what it does is told.
+
+    ``rests``: x0 = 0 and v0 = 0, of which no oscillator can be made: the start of this one stands in.
+    """
+
+    oscillator: Oscillator
+    frame: Frame = BARE
+    rests: bool = False
+
+    @property
+    def x_unit(self) -> str:
+        """What x counts: m or rad, the start itself (x0), or the length in which the strengths are given."""
+        law, pendulum = self.oscillator.law, any(t.family for t in self.oscillator.law.terms)
+        if self.frame:
+            return "rad" if pendulum else "m"
+        if not self.oscillator.v0.is_zero:
+            return "x0"
+        if pendulum:
+            return "rad"
+        # A loss |x|^M and a spring have strengths that belong to a length.
+        return "x0" if law.is_pure and self.oscillator.x0 == 1 else "strengths"
+
+
+def given_of(value: Any) -> Given:
+    """An oscillator in its units; a law or mapping of epsilons without any.
+
+    >>> given_of({2: "1/10"}).frame == BARE, given_of(Oscillator({2: "1/10"})).frame.x
+    (True, 'm')
+    """
+    return Given(oscillator_of(value), frame_of(value) if isinstance(value, Oscillator) else BARE)
+
+
+def given_at_unit_start(value: Any) -> Given:
+    """The same; a law whose units were taken off, with its strengths, is read as it is."""
+    if isinstance(value, Oscillator):
+        return given_of(value)
+    return Given(of_unit_start(law_of(value)))
 
 
 def oscillator_of(value: Any, spring: Any = None) -> Oscillator:

@@ -174,7 +174,7 @@ class Term(Shown):
         if exponent > MAX_EXPONENT:
             raise InputError(name, f"{exponent} is out of range", f"an exponent from 0 to {MAX_EXPONENT}: {REAL_FORMS}")
         place = exact_integer(position, "position" if loss else "spring", 0 if loss else 1, MAX_POSITION)
-        made = strength if isinstance(strength, Scaled) else exact_number(strength, "b")
+        made = strength if isinstance(strength, Scaled) else exact_number(strength, "strength")
         fields = {"strength": made, "velocity": exponent, "position": place, "odd_in": odd_in, "family": family}
         for field, value in fields.items():
             object.__setattr__(self, field, value)

@@ -32,14 +32,16 @@ BENCHMARKS = {
     "fits": "fits",
     "identified": "identified",
     "certificates": "certificates",
+    "double-errors": "double_errors",
 }
 """The name of each benchmark, and its module: a function ``run`` that takes a size, and the ``PEERS`` that it asks."""
-WHOLE = {"identified": 12}
+WHOLE = {"identified": 15}
 """Sizes of a run of all benchmarks that are not the stated ones: one record of each class."""
 QUICK = {
     "smith-rows": 200, "cubic-damping": 1, "cost-against-order": 16, "costs": 10, "turning-points": 300,
     "certified-orbits": 20, "integrators": 100, "certified-motion": 400, "hypergeometric": 300, "comparing": 10_000,
     "multiple-scales": 1, "start-up": 1, "promises": 4, "fits": 200, "identified": 2, "certificates": 2,
+    "double-errors": 1,
 }  # fmt: skip
 """Sizes of ``--quick``."""
 

@@ -23,7 +23,7 @@ CLASSES = (
     "turning points", "plain", "sparse", "uneven", "velocity", "acceleration", "coloured", "quantised", "jitter",
     "drift", "cubic spring", "pendulum", "strong", "short", "unquiet tail",
 )  # fmt: skip
-SEED = 20261123_21
+SEED = 20261126_43
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,9 @@
 """Evidence for ``identify``: decays of a known law (``decays``), the verdicts, and how often they are right, by class.
 
 What is counted: records with an answer; 95 % intervals of the true law's strengths that hold the truth; records in
-which the true law is among the consistent ones; records with another law called identified.  The seeds of the printed
-table are used for nothing else.  ``size`` is the number of records, which go round the classes.
+which the true law is among the consistent ones; records with another law called identified, and with laws that the
+limit of work left untried.  The seeds of the printed table are used for nothing else.  ``size`` is the number of
+records, which go round the classes.
 
 ``--store FILE`` keeps one line of JSON for each record as soon as it is judged: an interrupted run goes on where it was
 (records of the same seed and code; what other code judged is left alone).
@@ -26,12 +27,16 @@ from benchmarks.table import Table, seconds_text
 
 SIZE, PATIENCE = 240, 600
 """Seconds for one record: more than it needs on a machine that is not idle, so that no verdict depends on the load."""
-_HEAD = ("class", "records", "answered", "intervals", "covered", "law consistent", "identified", "wrongly", "CPU s")
+_HEAD = (
+    "class", "records", "answered", "intervals", "covered", "law consistent", "identified", "wrongly", "untried",
+    "CPU s",
+)  # fmt: skip
 
 
 @dataclass
 class Counts:
-    """What was found in the records of one class; ``seconds``: processor time of each."""
+    """What was found in the records of one class; ``untried``: with laws that the limit of work left; ``seconds``:
+    processor time of each."""
 
     records: int = 0
     answered: int = 0
@@ -40,6 +45,7 @@ class Counts:
     consistent: int = 0
     identified: int = 0
     wrongly: int = 0
+    untried: int = 0
     seconds: tuple[float, ...] = ()
 
     def add(self, made: Decay, **asked: Any) -> str:
@@ -64,6 +70,7 @@ class Counts:
         self.consistent += law.verdict == "consistent"
         self.identified += right
         self.wrongly += wrong
+        self.untried += any(entry.law.untried for entry in answer.laws)
         amiss = wrong or law.verdict != "consistent"
         said = [f"{answer.verdict.text[:150]}; {made.law}: {law.verdict} {law.reason[:120]}"] if amiss else []
         said += [f"missed {made.strengths} by {law.epsilon}{law.springs}"] if len(pairs) > sum(held) else []
@@ -72,7 +79,7 @@ class Counts:
     def row(self, name: str) -> tuple[str, ...]:
         """One line of the table: shares of what was answered, the median and the ninth decile of the time."""
         times = [seconds_text(float(np.quantile(self.seconds, q))) for q in (0.5, 0.9)] if self.seconds else ["-", "-"]
-        shares = (_share(n, self.answered) for n in (self.consistent, self.identified, self.wrongly))
+        shares = (_share(n, self.answered) for n in (self.consistent, self.identified, self.wrongly, self.untried))
         return (
             name, str(self.records), str(self.answered), str(self.intervals), _share(self.covered, self.intervals),
             *shares, " / ".join(times),
@@ -87,7 +94,7 @@ def total(counts: Iterable[Counts]) -> Counts:
     """All classes together."""
     whole = Counts()
     for c in counts:
-        for name in ("records", "answered", "intervals", "covered", "consistent", "identified", "wrongly", "seconds"):
+        for name in asdict(c):
             setattr(whole, name, getattr(whole, name) + getattr(c, name))
     return whole
 

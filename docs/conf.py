@@ -24,6 +24,7 @@ extensions = [
     "math_font",
     "paper_links",
     "theory_figures",
+    "common_options",
 ]
 exclude_patterns = ["extensions", "gallery"]
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence", "substitution"]

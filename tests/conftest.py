@@ -20,7 +20,7 @@ settings.register_profile("ci", max_examples=80, deadline=None, derandomize=True
 settings.register_profile("nightly", max_examples=2000, deadline=None, print_blob=True)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 
-collect_ignore = ["notebook.py", "docs_drawn.py"]  # programs of `make docs`, with libraries of their own
+collect_ignore = ["notebook.py", "docs_drawn.py", "docs_searched.py"]  # of `make docs`, with libraries of their own
 
 FIRST = (  # what imports derivations, each of which is proved once in a process, or needs the report of the tests
     "tests/derivations/", "tests/expansions/multiple_scales/test_derivations",

@@ -10,29 +10,21 @@ from functools import cache
 from pathlib import Path
 
 from asymptotics.ask.answers import Request
-from asymptotics.ask.registry import loaded
+from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.ask.typed import Answered, parser_of
 from asymptotics.errors import InputError, UndecidedError
+from tests.worlds import WORLDS
 
 PAGE = Path(__file__).parents[1] / "docs" / "trust.md"
 CERTIFICATE, CERTIFIED, EXACT, BOUND, ESTIMATE, REFUSED, NONE = (
     "**certificate**", "certified", "exact", "estimate, bound proved", "estimate", "refused", "-",
 )  # fmt: skip
-LAWS = {
-    "dry friction": "--law 0:3/100",
-    "linear": "--law 1:1/10",
-    "quadratic": "--law 2:1/10",
-    "another rational power": "--law 3/2:1/10",
-    "an irrational power": "--law 'sqrt(2):1/10'",
-    "a sum of powers": "--law 1:1/20 --law 2:1/10",
-    "a sum with dry friction": "--law 0:1/50 --law 2:1/10",
-    "a start in motion": "--law 2:1/10 --mass 1 --v0 1/3",
-    "air and a spring x^3": "--law 2:1/10 --spring 3:1/10",
-    "a pendulum in air": "--law 2:1/10 --spring pendulum",
-    "a loss that knows the place": "--law 1,2:1/10",
-    "gains": "--law 2:-1/10",
-    "gains and losses": "--law 1:-1 --law 1,2:1",
-}
+TOLD = (
+    "dry friction", "linear", "quadratic", "another rational power", "an irrational power", "a sum of powers",
+    "a sum with dry friction", "a start in motion", "air and a spring x^3", "a pendulum in air",
+    "a loss that knows the place", "gains", "gains and losses",
+)  # fmt: skip
+LAWS = {name: WORLDS[name].words for name in TOLD}
 SINGLE = {"dry friction": "0", "linear": "1", "quadratic": "2", "another rational power": "3/2"}
 GROUPS = {
     "Digits of the motion": (
@@ -47,7 +39,6 @@ GROUPS = {
         "solution --order 2",
         "envelope --digits 8",
         "damping --digits 6",
-        "response --force 3 --omega 1/2 --digits 5",
     ),
     "Coefficients": (
         "expand --order 2 --digits 8",
@@ -57,37 +48,36 @@ GROUPS = {
         "stokes --digits 5",
     ),
 }
-WITHOUT_LAW = {
-    "moment --p 5/2": "balls (`certified_zero`: exact where it is rational)",
-    "smith f --n 7": "exact rational arithmetic",
-    "derive landing": "each line decided by SymPy, most of them identities; asked of balls where they are inequalities",
-    "papers smith2012:43": "the verdict of each statement, with its evidence: proved, certified, measured",
-}
-"""What it rests on, by the request."""
-OTHERS = {
-    "identify": "statistics in doubles; with a resolution of the data a certified set, in balls",
-    "sweep": "what the command that is swept rests on, row by row",
-}
-RESTS = {
-    "turning-points": "balls: `turning-point-majorant`, `taylor-residual`, `motions-never-part`; springs:"
-    " `wells-majorant`, `wells-distance`",
-    "motion --reference": "the same balls; closed forms: exact identities, evaluated in balls",
-    "table": "what each table says of its route (`asymptotics table --list`)",
-    "compare": "the certified side: what the command of the same numbers rests on",
-    "motion": "a series that diverges: its error is measured, unless `--bound` proves one (`uniform-bound`,"
-    " `explicit-bound`)",
-    "solution": "the same series, explicit in the slow time: O(epsilon^N), not bounded",
-    "envelope": "the averaged law in balls (`lancaster-average`, `two-laws-average`): certified for it, and it"
-    " approximates the motion",
-    "damping": "the energy of a half-swing, in balls, between certified turning points",
-    "response": "a trial orbit with its defect and a contraction, in balls, from exponent 1 on (`driven-unique`); below"
-    " it first order alone (`driven-first-order`)",
-    "expand": "formal series: whole exponents exact, others in balls (`quarter-swing-tail`)",
-    "half-swing": "the same",
-    "multiple-scales": "exact: each order's equation is put back by SymPy",
-    "limit-cycle": "formal series, exact; at a strength mu balls",
-    "stokes": "balls (`abel-petal`)",
-}
+BESIDES = {"motion --reference": "the balls of `turning-points`; closed forms: exact identities, evaluated in balls"}
+"""What another way of asking a command rests on."""
+
+
+def _takes_a_law(name: str) -> bool:
+    return any(asked.kind.options for asked in loaded(name).asked)
+
+
+def _without_its_law(name: str) -> str:
+    """The example of a question without the law, of which it is asked for every class."""
+    words, law = loaded(name).example.split(), {f"--{o.name}" for a in loaded(name).asked for o in a.kind.options}
+    kept = [w for before, w in zip(["", *words], words) if w not in law and before not in law]
+    return " ".join([name, *kept])
+
+
+def groups() -> dict[str, tuple[str, ...]]:
+    """The columns of each table: those of GROUPS, and among the approximations every other question with a law."""
+    named = {words.split()[0] for columns in GROUPS.values() for words in columns}
+    others = [
+        name for name in QUESTIONS if name not in named and _takes_a_law(name) and "{" not in loaded(name).example
+    ]
+    return {**GROUPS, "Approximations": (*GROUPS["Approximations"], *map(_without_its_law, others))}
+
+
+def rows_of_rests() -> list[str]:
+    """What each command rests on, in the words of its question."""
+    asked = dict.fromkeys(words.split()[0] for columns in groups().values() for words in columns)
+    rows = [(f"`{name}`", loaded(name).rests) for name in asked] + [(f"`{words}`", r) for words, r in BESIDES.items()]
+    rows += [(f"`{name}`", loaded(name).rests) for name in QUESTIONS if name not in asked]
+    return [f"| {name} | {rests} |" for name, rests in rows]
 
 
 @cache
@@ -146,10 +136,15 @@ def _of_law(words: str, name: str) -> str:
     return cell(f"{words} --alpha {SINGLE[name]}") if name in SINGLE else NONE
 
 
+def row(columns: tuple[str, ...], name: str) -> str:
+    """What each request answers for a law."""
+    return f"| {name} | {' | '.join(_of_law(words, name) for words in columns)} |"
+
+
 def tables() -> str:
     """All tables of the page."""
     lines: list[str] = []
-    for title, columns in GROUPS.items():
+    for title, columns in groups().items():
         heads = [words.partition(" --digits")[0].removesuffix(" FILE") for words in columns]
         lines += [
             f"## {title}",
@@ -157,12 +152,10 @@ def tables() -> str:
             f"| motion | {' | '.join(f'`{h}`' for h in heads)} |",
             "|---" * (len(heads) + 1) + "|",
         ]
-        lines += [f"| {name} | {' | '.join(_of_law(words, name) for words in columns)} |" for name in LAWS]
+        lines += [row(columns, name) for name in LAWS]
         lines.append("")
     lines += ["## What they rest on, where there is no certificate", "", "| command | rests on |", "|---|---|"]
-    lines += [f"| `{name}` | {words} |" for name, words in RESTS.items()]
-    lines += [f"| `{words}` | {rests} |" for words, rests in WITHOUT_LAW.items() if asked(words) is not None]
-    return "\n".join([*lines, *(f"| `{name}` | {words} |" for name, words in OTHERS.items())])
+    return "\n".join([*lines, *rows_of_rests()])
 
 
 def page() -> str:

@@ -27,7 +27,7 @@ TINY = {
     "smith-rows": 16, "cubic-damping": 2, "cost-against-order": 4, "turning-points": 5,
     "certified-orbits": 20, "integrators": 2, "certified-motion": 20, "hypergeometric": 20, "start-up": 1,
     "comparing": 200, "promises": 2, "multiple-scales": 1, "costs": 2,
-    "identified": 1, "fits": 100, "certificates": 1,
+    "identified": 1, "fits": 100, "certificates": 1, "double-errors": 1,
 }  # fmt: skip
 MODULES = sorted(path.stem for path in (Path(__file__).parents[1] / "benchmarks").glob("*.py"))
 

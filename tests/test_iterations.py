@@ -25,7 +25,7 @@ HARMLESS = {
     "envelopes/large.py:_newton": "the time reached is integrated anew up to the place returned, and enclosed after",
     "expansions/half_swings/finite_majorant.py:_fixed_point": "an oracle in doubles, or inf; checked in balls",
     "limit_cycles/certified.py:_fixed_point": "a guess in doubles for interval Newton",
-    "motions/frame.py:_iterated": "two digits of the change of a start, for a measured estimate",
+    "motions/truncation.py:_iterated": "two digits of the change of a start, for a measured estimate",
     "flow/secant.py:secant": "a guess: any place ahead will do, the miss there is bounded",
     "return_map/half_swings.py:_near": "the place with the least residual: the residual bounds its error after",
     "flow/slow_manifold/slow_curve.py:solve": "the interval about the last place must hold its own image",

@@ -1,6 +1,5 @@
 """Everything that is written down says which code made it, and what other code has made is not believed."""
 
-import argparse
 import csv
 import json
 import os
@@ -16,55 +15,20 @@ import asymptotics as asy
 import asymptotics.made_by as module
 from asymptotics.ask.registry import QUESTIONS
 from asymptotics.made_by import LIBRARIES, code, commit, made_by, mark, versions
-from asymptotics.shell.asked import command_of
 from asymptotics.shell.main import main
 from asymptotics.sweeps import Grid, sweep
 from asymptotics.sweeps.workers import OtherCodeError, run_batch
 from paper_checks.command import run as paper_checks
 from paper_checks.report import build as report
+from tests.every_question import example, options_of
 from tests.wheel import tried
 
 ROOT = Path(__file__).parents[1]
-LINES = {
-    "compare": "compare {data} --alpha 2 --epsilon 1/10",
-    "damping": "damping --alpha 2 --epsilon 1/10 --amplitudes 1",
-    "envelope": "envelope --alpha 2 --epsilon 1/10 --time 2",
-    "expand": "expand --alpha 2 --order 2",
-    "half-swing": "half-swing --alpha 2 --order 2",
-    "identify": "identify {data} --laws 2 --no-bootstrap",
-    "limit-cycle": "limit-cycle --law 1:-1 --law 1,2:1 --order 2",
-    "moment": "moment --p 2",
-    "motion": "motion --alpha 2 --damping 1/10 --x0 1 --time 2 --order 1",
-    "multiple-scales": "multiple-scales --alpha 3 --order 1",
-    "papers": "papers smith2012:43",
-    "smith": "smith f --n 3",
-    "solution": "solution --alpha 2 --epsilon 1/10 --order 2 --time 2",
-    "response": "response --law 2:1/10 --force 1/5 --omega 1 --digits 5",
-    "stokes": "stokes --alpha 0",
-    "sweep": "sweep moment --p 1,2 --workers 1 --store {folder}/store",
-    "table": "table moments --alpha 1 --digits 5",
-    "turning-points": "turning-points --alpha 2 --epsilon 1/10 --count 3",
-    "derive": "derive q-log-q",
-}
 KINDS = {"json": "", "csv": ".csv", "html": ".html", "output": ".tex", "export": ".json", "store": ""}
 MORE = [("table", "output", end) for end in (".csv", ".json", ".tex")] + [("sweep", "export", ".csv")]
 
 
-def options_of(command):
-    parser = argparse.ArgumentParser()
-    command_of(command).configure(parser)
-    return {o[2:] for a in parser._actions if a.help != argparse.SUPPRESS for o in a.option_strings}
-
-
-WRITTEN = [(c, kind, end) for c in QUESTIONS for kind, end in KINDS.items() if kind in options_of(c)] + MORE
-
-
-@pytest.fixture
-def data(tmp_path):
-    target = tmp_path / "data.csv"
-    rows = [f"{n},{(-1) ** n * 0.9**n}" for n in range(8)]
-    target.write_text("\n".join(["n,x", *rows]) + "\n")
-    return target
+WRITTEN = [(c, kind, end) for c in QUESTIONS for kind, end in KINDS.items() if f"--{kind}" in options_of(c)] + MORE
 
 
 def told(content):
@@ -73,8 +37,8 @@ def told(content):
 
 
 @pytest.mark.parametrize(("command", "kind", "end"), WRITTEN)
-def test_every_output_says_which_code_made_it(command, kind, end, data, tmp_path, capsys):
-    line = LINES[command].format(data=data, folder=tmp_path).split()
+def test_every_output_says_which_code_made_it(command, kind, end, tmp_path, capsys):
+    line = example(command, tmp_path)
     target = tmp_path / f"written{end}"
     extra = {"json": ["--json"], "store": []}.get(kind, [f"--{kind}", str(target)])
     form = {".csv": "csv", ".json": "json", ".tex": "latex"}.get(end)
@@ -94,10 +58,9 @@ def test_every_output_says_which_code_made_it(command, kind, end, data, tmp_path
 
 def test_no_option_that_writes_is_forgotten():
     """Pictures depend on nothing but their data; ``list`` and ``dask`` are read."""
-    named = {name for c in QUESTIONS for name in options_of(c)}
+    named = {name.removeprefix("--") for c in QUESTIONS for name in options_of(c)}
     files = {name for name in named if re.search("csv|html|output|export|store|report|save|file|json|write", name)}
     assert files - set(KINDS) == set()
-    assert set(LINES) == set(QUESTIONS)
 
 
 def test_the_report_on_the_papers_says_it(monkeypatch, capsys):

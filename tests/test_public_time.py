@@ -252,6 +252,20 @@ def test_the_alarm_waits_until_the_collector_is_done(monkeypatch):
     assert heard == []
 
 
+def test_a_library_is_imported_whole_before_the_alarm_is_heard(tmp_path, monkeypatch):
+    """Failed before: pandas, stopped on the way, had no attribute 'plotting' for the rest of the process."""
+    slow = "from time import monotonic\nend = monotonic() + 0.3\nwhile monotonic() < end: pass\nwhole = True\n"
+    (tmp_path / "a_slow_library.py").write_text(slow)
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(public, "PERIOD", 0.01)
+    with pytest.raises(LimitError), public.limited(0.05):
+        import a_slow_library  # noqa: PLC0415
+
+        while True:
+            pass
+    assert a_slow_library.whole
+
+
 def test_ticks_inside_a_public_call_count_down():
     with budget(0), pytest.raises(LimitError):
         tick()

@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from flint import arb
 
 import asymptotics as asy
 from asymptotics.shell.main import main
@@ -15,7 +16,12 @@ SAID = {
     "a misspelt id": (lambda: asy.paper("smith:43"), "did you mean smith2012:43"),
     "a misspelt table": (lambda: asy.table("smith2012.tabel1"), "did you mean smith2012.table1"),
     "a comma": (lambda: asy.turning_points({2: "0,1"}), "'0,1' is not an exact number: it has a comma"),
-    "anti-damping": (lambda: asy.turning_points({2: -1}), "anti-damping has no sequence of turning points to rest"),
+    "anti-damping": (
+        lambda: asy.turning_points({2: -1}),
+        "^argument strength: -1 is negative: anti-damping has no sequence of turning points to rest",
+    ),
+    "an article": (lambda: asy.turning_points({2: [1]}), "a list is"),
+    "the other article": (lambda: asy.turning_points({2: arb(1)}), "an arb is"),
 }
 
 

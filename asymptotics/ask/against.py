@@ -22,8 +22,9 @@ from asymptotics.decays.comparison.run import Comparison, compare_file
 from asymptotics.decays.comparison.stated import stated
 from asymptotics.decays.comparison.tabled import compare_table, series_table
 from asymptotics.errors import InputError
-from asymptotics.law import Law, LawLike, Oscillator
-from asymptotics.law_given import oscillator_of
+from asymptotics.frames import frame_of
+from asymptotics.law import Law, LawLike
+from asymptotics.law_given import Given, given_of
 from asymptotics.present.inputs import INPUTS, stated_inputs
 from asymptotics.sweeps.grid import values
 from asymptotics.tables.inputs import Inputs
@@ -47,17 +48,17 @@ class Said:
         typed = any(getattr(self.options, name, None) is not None for name in _SAID)
         return typed or any(given is not None for given in (self.law, self.alpha, self.epsilon))
 
-    def oscillator(self) -> tuple[Oscillator, bool]:
-        """The oscillator, and whether x has a unit of its own."""
+    def moving(self) -> Given:
+        """The oscillator, in its frame if x has a unit of its own."""
         for name, value in (("alpha", self.alpha), ("epsilon", self.epsilon)):
             if value is not None:
                 raise InputError(name, "there is no table", f"{name} with table, or the law")
         if self.law is not None:
-            return oscillator_of(self.law), isinstance(self.law, Oscillator)
+            return given_of(self.law)
         given = read_oscillator(self.options, "epsilon", epsilon_beside_units=True)
         # A start that was given makes x a length of its own; otherwise x is in units of x0, as the law alone has it.
         started = any(getattr(self.options, name, None) is not None for name in ("x0", "v0"))
-        return given.oscillator, given.si or started
+        return replace(given, frame=frame_of(given.oscillator)) if started else given
 
     def inputs(self, table: str, *, needed: bool) -> Inputs:
         """The inputs of a table; ``needed``: coefficients alone do not say of which law they are."""
@@ -119,9 +120,9 @@ def beside(
     if path is not None and own:
         said = _of_its_header(path, series=name is not None)
     if name is None:
-        oscillator, si = said.oscillator()
-        told = str(oscillator) if si else str(oscillator.law)
-        return Beside(told, partial(compare_file, source, oscillator, si=si, columns=columns, digits=digits))
+        given = said.moving()
+        told = str(given.oscillator if given.frame else given.oscillator.law)
+        return Beside(told, partial(compare_file, source, given, columns=columns, digits=digits))
     inputs = said.inputs(name, needed=table is None)
     return Beside(name, partial(compare_table, source, name, inputs, columns=columns, digits=digits))
 

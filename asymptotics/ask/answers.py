@@ -14,6 +14,7 @@ from asymptotics.ask.kinds import Option
 from asymptotics.numbers.integers import parse_integer
 from asymptotics.present.drawn import KINDS
 from asymptotics.present.figures import DPI, SIZE
+from asymptotics.present.shown import Shown
 
 MAX_POINTS, DEFAULT_POINTS = 100_000, 1000
 """A thousand rows draw a smooth curve of some twenty periods; the limit is a refusal."""
@@ -110,7 +111,9 @@ class Offers:
     show                    an own way to show and write: refuses before the work, then makes (data, text) of the result
     certificate             what --certificate writes: something with to_json() (certificates.of_results)
     missing                 (rows done, what is missing) of what was done when the work was cut short
-    page                    what --html writes: one page
+    shown                   the results that stand on the page of --html, each as it shows itself; the text of others
+    formula                 the formulas on that page; without it those of --latex, else the result's own
+    page                    what --html writes, in the place of the page that all have (``ask.page``)
     reads                   the parameter whose words are files that are read: no file is written over one of them
     again                   how a table is held against its own request; None: its header does not name the request
     rows_done               (text, rows, what is missing) of the table, of the rows that were done when making it was
@@ -143,6 +146,8 @@ class Offers:
     instead: Callable[[Request], tuple[dict[str, Any], str] | None] = lambda _: None
     show: Callable[[Request], Callable[[Any], tuple[dict[str, Any], str]]] | None = None
     certificate: Part | None = None
+    shown: Part = lambda found, _: [found]
+    formula: Part | None = None
     page: Part | None = None
     reads: str = ""
     again: Again | None = Again()
@@ -162,6 +167,14 @@ class Offers:
             data["files"] = [*(written or ())]
         return data
 
+    def formula_of(self, found: Any, request: Request) -> str:
+        """The formulas of the page, as LaTeX."""
+        if self.formula is not None:
+            return str(self.formula(found, request))
+        if self.latex:
+            return str(self.as_latex(found, request))
+        return found._formula() if isinstance(found, Shown) else ""
+
     def options(self) -> tuple[Option, ...]:
         """The options of the shell that these parts make."""
         found = []
@@ -177,8 +190,10 @@ class Offers:
             ]
         if self.overlay:
             found.append(Option("overlay", "LAW", self.overlay, "output", repeated=True))
+        page = "one page: the answer, its formulas typeset, its picture, provenance"
         if self.page is not None:
-            found.append(Option("html", "FILE", "one page: verdict, pictures, laws, data, provenance", "output"))
+            page = "one page: verdict, pictures, laws, data, provenance"
+        found.append(Option("html", "FILE", page, "output"))
         if self.table:
             found.append(Option("csv", "FILE", f"{self.table}, as a table of columns", "output"))
         if self.certificate is not None:

@@ -2,8 +2,8 @@
 
 >>> TERMS.read({3: "1/2"}, "law").names, TERMS.read("3/2", "law").known
 (["x'^3"], False)
->>> str(MOVES.read({2: "1/10"}, "law").oscillator.law), MOVES.read({2: "1/10"}, "law").si
-("1/10 x'|x'|", False)
+>>> str(MOVES.read({2: "1/10"}, "law").oscillator.law), MOVES.read({2: "1/10"}, "law").frame.time
+("1/10 x'|x'|", 'tau')
 """
 
 import argparse
@@ -14,11 +14,11 @@ from typing import Any
 
 from asymptotics.ask.forces import FORMS_FROM_0, GivenTerms, read_alpha, read_law, read_terms
 from asymptotics.ask.kinds import Kind, Option
-from asymptotics.ask.moving import QUANTITIES, Given, is_physical, read_moving, read_oscillator
+from asymptotics.ask.moving import QUANTITIES, is_physical, read_moving, read_oscillator
 from asymptotics.errors import InputError
 from asymptotics.expansions.equations.given import terms_of
-from asymptotics.law import Law, Oscillator, of_unit_start
-from asymptotics.law_given import law_of
+from asymptotics.law import Law, Oscillator
+from asymptotics.law_given import Given, given_at_unit_start, law_of
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.numbers.policy import exact_number
 from asymptotics.terms import Term
@@ -26,7 +26,7 @@ from asymptotics.terms import Term
 SYMBOLIC = "symbolic"
 LAW_FEEDS: Mapping[str, tuple[str, ...]] = MappingProxyType({  # a parameter of the library: options that may set it
     "alpha": ("law", "alpha"), "alphas": ("law", "alpha"), "law": ("law", "alpha"),
-    "b": ("law", "damping", "epsilon"), "epsilon": ("law", "epsilon", "damping"), "spring": ("spring",),
+    "strength": ("law", "damping", "epsilon"), "epsilon": ("law", "epsilon", "damping"), "spring": ("spring",),
     "amplitude": ("amplitude", "x0"), "x0": ("x0",), "v0": ("v0",), "mass": ("mass",), "stiffness": ("stiffness",),
 })  # fmt: skip
 
@@ -133,8 +133,7 @@ def law_with_strengths(meaning: str, *, negative: bool = False, springs: bool = 
 
 
 def _moving(value: Any, _name: str) -> Given:
-    si = isinstance(value, Oscillator)
-    return Given(value if si else of_unit_start(law_of(value)), si)
+    return given_at_unit_start(value)
 
 
 def moving(

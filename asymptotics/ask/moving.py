@@ -7,14 +7,16 @@ equation is X'' + X + sum_i E_i X'|X'|^(A_i-1) = 0 as it is typed, and starts at
 
 import argparse
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from asymptotics.ask.answers import Request
 from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import Kind
 from asymptotics.errors import InputError
+from asymptotics.frames import BARE, frame_of
 from asymptotics.law import Law, Oscillator
+from asymptotics.law_given import Given
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.numbers.policy import exact_number
 from asymptotics.present.drawn import Drawn
@@ -38,39 +40,6 @@ def _time(value: Any, name: str) -> ExactReal:
 
 TIME = Kind("T", _time)
 """A time >= 0, in s or without a unit."""
-
-
-@dataclass(frozen=True)
-class Given:
-    """An oscillator, and whether what it does is told in SI units.
-
-    ``rests``: x0 = 0 and v0 = 0, of which no oscillator can be made: the start of this one stands in.
-    """
-
-    oscillator: Oscillator
-    si: bool
-    rests: bool = False
-
-    @property
-    def x_unit(self) -> str:
-        """What x counts: m or rad, the start itself (x0), or the length in which the strengths are given."""
-        law, pendulum = self.oscillator.law, any(t.family for t in self.oscillator.law.terms)
-        if self.si:
-            return "rad" if pendulum else "m"
-        if not self.oscillator.v0.is_zero:
-            return "x0"
-        if pendulum:
-            return "rad"
-        # A loss |x|^M and a spring have strengths that belong to a length.
-        return "x0" if law.is_pure and self.oscillator.x0 == 1 else "strengths"
-
-    def unit(self, name: str) -> str:
-        """The unit of a quantity with a blank before it, or nothing; m is that of x, rad for a pendulum."""
-        return f" {self.of_x(name)}" if self.si else ""
-
-    def of_x(self, name: str) -> str:
-        """m and m/s in the unit of x."""
-        return name.replace("m", self.oscillator.unit) if name in ("m", "m/s") else name
 
 
 def is_physical(options: argparse.Namespace) -> bool:
@@ -98,7 +67,8 @@ def read_oscillator(
     law = read_law(options, "epsilon" if named else "damping" if si else strength)
     numbers: dict[str, Any] = {name: exact_number(getattr(options, name), f"--{name}") for name in given}
     oscillator = Oscillator(law, **numbers)
-    return Given(_with_epsilon(oscillator) if named and si else oscillator, si)
+    oscillator = _with_epsilon(oscillator) if named and si else oscillator
+    return Given(oscillator, frame_of(oscillator) if si else BARE)
 
 
 def read_moving(options: argparse.Namespace) -> Given:

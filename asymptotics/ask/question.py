@@ -1,6 +1,6 @@
 """A question: a typed function, declared once, from which shell, Python, sweeps, headers and the schema follow.
 
-    @question(Offers(table="k, c_k, d_k"), swept=True)
+    @question(Offers(table="k, c_k, d_k"), swept=True, example="--alpha 0", rests="balls")
     def stokes(alpha: Annotated[Number, REAL], *, count: Annotated[int, whole(1, 9, "K")] = 1, ...) -> StokesConstants:
         \"\"\"What it is, in a line.  (Then what the page of --help says, examples of the shell among it.)
 
@@ -75,14 +75,21 @@ class Asked:
 
 @dataclass(frozen=True)
 class Question:
-    """A declared question; ``name`` is that of its command."""
+    """A declared question; ``name`` is that of its command.
+
+    ``example``: a request in words of the shell that is answered at once, by which all tests of every command ask it;
+    ``{data}`` stands for a file with columns n and x, ``{folder}`` for a new folder.  ``rests``: what an answer rests
+    on where it has no certificate, a sentence of the ledger of trust.
+    """
 
     name: str
     function: Callable[..., Any]
     asked: tuple[Asked, ...]
     offers: Offers
     page: str
-    swept: bool
+    swept: bool = False
+    example: str = ""
+    rests: str = ""
 
     def __getitem__(self, name: str) -> Asked:
         """A parameter by its name."""
@@ -164,6 +171,10 @@ class Question:
         special = any(getattr(options, name, None) for name in ("spring", "v0", "delta"))
         if self.offers.oscillator_alone or (self.offers.from_rest and not special):
             return []
+        return self.told(options)
+
+    def told(self, options: argparse.Namespace) -> list[str]:
+        """The request in words: the command, and the options that were given."""
         told = [self.name]
         for option in self.header_options:
             value = getattr(options, option.key, None)
@@ -232,15 +243,17 @@ def _in_python(text: str, called: Mapping[str, str]) -> str:
 
 
 def question(
-    offers: Offers, *, name: str = "", swept: bool = False, alone: bool = True
+    offers: Offers, *, example: str = "", rests: str = "", name: str = "", swept: bool = False, alone: bool = True
 ) -> Callable[[Callable[P, T]], Callable[P, T]]:
     """Declare a question: the public call that reads its values and has its time, with the ``Question`` beside it.
 
-    ``swept``: it answers one set of values with one record.  ``alone``: whether it computes in balls itself.
+    ``example``, ``rests``: see ``Question``.  ``swept``: it answers one set of values with one record.  ``alone``:
+    whether it computes in balls itself.
     """
 
     def declared(function: Callable[P, T]) -> Callable[P, T]:
-        made, compute = _question(function, offers, name, swept), cast("Any", function)
+        made = replace(_question(function, offers, name), swept=swept, example=example, rests=rests)
+        compute = cast("Any", function)
         signature = inspect.signature(function)
 
         @functools.wraps(function)
@@ -267,7 +280,7 @@ def question(
     return declared
 
 
-def _question(function: Callable[..., Any], offers: Offers, name: str, swept: bool) -> Question:
+def _question(function: Callable[..., Any], offers: Offers, name: str) -> Question:
     hints, doc = get_type_hints(function, include_extras=True), inspect.getdoc(function) or ""
     page, _, rest = doc.partition(_PARAMETERS)
     told = {n: " ".join(text.split()) for n, text in _HELP.findall(rest.partition("\n\n")[0] + "\n")}
@@ -280,7 +293,8 @@ def _question(function: Callable[..., Any], offers: Offers, name: str, swept: bo
     read = {a.name for a in asked}.union(*(a.kind.beside for a in asked))
     if unread := set(inspect.signature(function).parameters) - read:
         raise TypeError(f"no kind reads {', '.join(sorted(unread))} of {function.__name__}")
-    return Question(name or function.__name__.replace("_", "-"), function, asked, offers, page.rstrip(), swept)
+    called = name or function.__name__.replace("_", "-")
+    return Question(called, function, asked, offers, page.rstrip())
 
 
 def _floats(made: Question, given: Mapping[str, Any]) -> tuple[str, ...]:

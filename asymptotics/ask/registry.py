@@ -4,7 +4,6 @@
 (True, True, 'stokes')
 """
 
-import ast
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -23,9 +22,9 @@ SWEPT = tuple(name for name in QUESTIONS if "swept=True" in _FILES[name].read_te
 
 
 def summary(name: str) -> str:
-    """The first line of its file, read without loading it."""
-    line = (ast.get_docstring(ast.parse(_FILES[name].read_text(encoding="utf-8"))) or "").partition("\n")[0]
-    return line.rstrip(".")
+    """The first line of its file, a docstring, read without loading it or reading the rest."""
+    with _FILES[name].open(encoding="utf-8") as file:
+        return file.readline().strip().strip('"').rstrip(".")
 
 
 def loaded(name: str) -> "Question":

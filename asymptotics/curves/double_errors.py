@@ -15,13 +15,14 @@ from asymptotics.curves.large import SpringEnvelope
 from asymptotics.curves.motions import Motion, Reference
 from asymptotics.curves.slow import Envelope
 from asymptotics.curves.solution import Solution
+from asymptotics.law import Oscillator
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.double_error import EPS, STEP, DoubleError, of_column, of_rounding
 
 Errors = dict[str, DoubleError | None]
-_FEW, _WAVES, _DECIMAL, _BALL = 16, 3e-13, 5.1e-14, 1.1e-14
-"""Roundings of a formula; what a table of waveforms is good to; half a unit of the last of the 14 digits of an exported
-reference, and the radius of its states, in units of the start."""
+_FEW, _POWER, _WAVES, _DECIMAL, _BALL = 16, 4, 3e-13, 5.1e-14, 1.1e-14
+"""Roundings of a formula, and of the number that it raises to a power; what a table of waveforms is good to; half a
+unit of the last of the 14 digits of an exported reference, and the radius of its states, in units of the start."""
 
 
 def of_envelope(found: Envelope | SpringEnvelope, times: Any, order: int | None = None) -> Errors:
@@ -30,7 +31,7 @@ def of_envelope(found: Envelope | SpringEnvelope, times: Any, order: int | None 
     if isinstance(found, SpringEnvelope):
         errors = found._double_errors(times)
     elif order is not None:
-        errors = _of_formulas(found.columns(times * (1 - STEP), order=order)[1:], A, phi)
+        errors = _of_formulas(found.columns(times * (1 - STEP), order=order)[1:], A, phi, found.oscillator)
     else:
         errors = (
             _amplitude_errors(A, found.amplitudes(times * (1 - STEP)), found._roundings(A)),
@@ -62,7 +63,7 @@ def of_solution(found: Solution | ImplicitSolution, times: Any) -> Errors:
         of_A, of_phi, of_x = (e * u for e, u in zip(found._double_errors(times * omega), (length, 1.0, length)))
     else:
         _, before, lag, _ = found.columns(times * (1 - STEP))
-        of_A, of_phi = _of_formulas((before, lag), A, phi)
+        of_A, of_phi = _of_formulas((before, lag), A, phi, oscillator)
         wave = 0.0 if found.has_formulas else _WAVES
         of_x = np.full_like(
             A, np.max(np.abs(A) * (wave + _FEW * EPS * (1 + times * omega) + of_phi) + of_A, initial=0.0)
@@ -70,9 +71,13 @@ def of_solution(found: Solution | ImplicitSolution, times: Any) -> Errors:
     return {"amplitude": of_column(A, of_A, relative=True), "phase": of_column(phi, of_phi), "x": of_column(x, of_x)}
 
 
-def _of_formulas(earlier: Any, A: Any, phi: Any) -> tuple[Any, Any]:
-    """Of A and phi by formulas: phi is a difference of terms that may be larger than it, of a radian or so."""
-    return _amplitude_errors(A, earlier[0], _FEW), of_rounding(phi, earlier[1], _FEW) + _FEW * EPS
+def _of_formulas(earlier: Any, A: Any, phi: Any, acting: Oscillator) -> tuple[Any, Any]:
+    """Of A and phi by formulas: phi is a difference of terms that may be larger than it, of a radian or so; next to
+    alpha = 1 both hold (1 + (alpha-1) kappa tau)^(1/(alpha-1)), a large power of a rounded number."""
+    weight = next(abs(t.velocity - 1) for t in acting.law.losses)
+    power = 0.0 if weight.is_zero else _POWER * EPS * max(0.0, 1 / float(weight.ball().mid()) - 1)
+    of_A = _amplitude_errors(A, earlier[0], _FEW) + power * np.abs(A)
+    return of_A, of_rounding(phi, earlier[1], _FEW) + _FEW * EPS + power
 
 
 def _amplitude_errors(A: Any, earlier: Any, steps: Any) -> Any:

@@ -32,9 +32,8 @@ def envelope_table(found: Curve, until: ExactReal, points: int, order: int | Non
 
 def table_head(found: Curve) -> tuple[str, str, str]:
     """The names of its columns."""
-    if not found.si:
-        return ("tau", "amplitude", "phase")
-    return ("t [s]", f"amplitude [{found.oscillator.unit}]", "phase [rad]")
+    frame = found.frame
+    return frame.named("t"), frame.named("amplitude"), frame.named("phase")
 
 
 def table_times(until: ExactReal, points: int) -> NDArray[np.float64]:

@@ -6,10 +6,11 @@ The amplitude equation dA/dtau = -A p(A) is autonomous and of one variable, so b
 p and Omega through order N of the hierarchy.  A(tau) has no explicit form; the inverse is numeric.  At first order two
 losses have tau(A) closed (logarithms, arctangents, or 2F1: ``envelopes.hypergeometric``).
 
->>> two = implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 2)
+>>> from asymptotics.frames import BARE
+>>> two = implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 2, BARE)
 >>> two.time_of_amplitude, two.formulas.time_of_amplitude
 (Integral(60/(u*(4*u/pi + 3)), (u, A, 1)), Integral(6/(u*(3*epsilon_0 + 8*epsilon_1*u/pi)), (u, A, 1)))
->>> implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 1).formulas.time_of_amplitude
+>>> implicit_solution(Oscillator({1: "1/10", 2: "1/20"}), 1, BARE).formulas.time_of_amplitude
 2*log(1 + 3*pi*epsilon_0/(8*A*epsilon_1))/epsilon_0 - 2*log(3*pi*epsilon_0/(8*epsilon_1) + 1)/epsilon_0
 >>> two.at(7, digits=8).x
 '0.50456439'
@@ -34,6 +35,7 @@ from asymptotics.expansions.moments.symbolic import moment
 from asymptotics.expansions.multiple_scales.hierarchy import multiple_scales, ordered
 from asymptotics.expansions.multiple_scales.orders import a
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
+from asymptotics.frames import Frame
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Oscillator, of_unit_start
 from asymptotics.law_given import require_oscillator
@@ -58,7 +60,7 @@ class ImplicitSolution(ProvedCurve):
     oscillator: Oscillator
     notes: tuple[str, ...] = field(default=(), compare=False)
     start: tuple[Expr, Expr] | None = None
-    si: bool = field(default=True, compare=False)
+    frame: Frame = field(kw_only=True, compare=False)
     symbolic: bool = False
 
     @cached_property
@@ -129,7 +131,7 @@ class ImplicitSolution(ProvedCurve):
         """A, phi and x at a time t of the oscillator, in its units."""
         require_oscillator(oscillator)
         found = AsymptoticMotion.of(oscillator, self.order, TURNING_POINT).at(time, digits)
-        return SolutionPoint(found.amplitude or "0", found.phase or "0", found.x)
+        return SolutionPoint(found.amplitude or "0", found.phase, found.x)
 
     @public
     def sample(self, times: Any, *, max_seconds: Number = 60) -> tuple[Any, Any, Any]:
@@ -196,13 +198,13 @@ class ImplicitSolution(ProvedCurve):
         return f"ImplicitSolution({', '.join(self.scales.shapes)}, order {self.order})"
 
 
-def implicit_solution(oscillator: Oscillator, order: int) -> ImplicitSolution:
+def implicit_solution(oscillator: Oscillator, order: int, frame: Frame) -> ImplicitSolution:
     """The solution of a sum through ``order``, from rest or in motion; InputError without losses."""
     if not oscillator.law.losses:
         raise InputError("law", "nothing is lost: A is constant", "a loss; multiple_scales has the phase of springs")
     scales = multiple_scales(oscillator, order=order, gauge=TURNING_POINT)
     start = None if oscillator.v0.is_zero else start_in_motion(oscillator, scales)
-    return ImplicitSolution(order, scales, oscillator, scales.notes, start)
+    return ImplicitSolution(order, scales, oscillator, scales.notes, start, frame=frame)
 
 
 def _dimensionless(given: Oscillator) -> Oscillator:

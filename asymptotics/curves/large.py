@@ -31,8 +31,9 @@ from asymptotics.envelopes.first_order import exact_kappa
 from asymptotics.envelopes.large import SlowFlow
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.expansions.straightening.wells import Loss, Well
-from asymptotics.law import Oscillator
-from asymptotics.law_given import oscillator_of
+from asymptotics.frames import Frame
+from asymptotics.law import LawLike, Oscillator
+from asymptotics.law_given import given_of
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.decimals import certified_decimal
@@ -61,27 +62,28 @@ class SpringEnvelope(SlowNumbers, Drawn):
     notes: tuple[str, ...] = field(default=(), compare=False)
     formula: None = None
     time_formula: None = None
-    si: bool = field(default=True, compare=False)
+    frame: Frame = field(kw_only=True, compare=False)
 
     @classmethod
-    def of(cls, oscillator: Oscillator) -> "SpringEnvelope":
+    def of(cls, law: LawLike) -> "SpringEnvelope":
         """InputError for other springs, anti-damping, a start with a velocity, and a start outside the well."""
-        oscillator = oscillator_of(oscillator)
-        law = oscillator.law
-        law.require_dissipative("amplitude that falls")
-        springs = [t for t in law.springs if not t.b.is_zero]
+        given = given_of(law)
+        oscillator = given.oscillator
+        forces = oscillator.law
+        forces.require_dissipative("amplitude that falls")
+        springs = [t for t in forces.springs if not t.b.is_zero]
         known = "one spring c x^3, or the pendulum"
         if len(springs) != 1 or not (springs[0].family or (springs[0].position == 3 and springs[0].velocity.is_zero)):
             shown = " + ".join(t.shape() for t in springs) or "the linear spring"
             raise InputError("spring", f"no envelope exact in the spring is known for {shown}", known)
         if springs[0].family:
-            for t in law.losses:
+            for t in forces.losses:
                 if t.position and not t.b.is_zero:
                     reason = f"{t.shape()} depends on the angle: no closed form is known beside the pendulum"
                     raise InputError("law", reason, "losses x'|x'|^(alpha-1), or |x|^m x'|x'|^(alpha-1) beside x^3")
         if not oscillator.v0.is_zero:
             raise InputError("v0", "the envelope exact in the spring starts at a turning point", "v0 = 0")
-        found = cls(oscillator, notes=(*oscillator.notes, NOTE))
+        found = cls(oscillator, notes=(*oscillator.notes, NOTE), frame=given.frame)
         try:
             # The start is 1 in its own unit; a start on the separatrix is not certainly inside and is refused with
             # those beyond.  A number of a thousand digits, the longest that is read, is told from it in 4096 bits.
@@ -115,7 +117,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         """The time in s at which the turning amplitude falls to ``amplitude`` (m)."""
         metres = exact_number(amplitude, "amplitude")
         if not 0 < metres <= abs(self.oscillator.x0):
-            raise InputError("amplitude", f"{metres} {self.oscillator.unit} is not on the way", "0 < amplitude <= A(0)")
+            raise InputError("amplitude", f"{self.frame.told('x', metres)} is not on the way", "0 < amplitude <= A(0)")
         # Decided exactly: the integral from A(0) to A(0) in balls is a ball around 0, which has no first digit.
         if metres == abs(self.oscillator.x0):
             return "0"
@@ -210,8 +212,8 @@ class SpringEnvelope(SlowNumbers, Drawn):
         phase = np.where(missing | gone, np.nan, phi)
         extinction = None if np.isinf(table.extinction) else table.extinction / omega
         return MotionSamples(times, x, v, A, phase, 1, "turning-point", int(missing.sum()),
-                             int((gone & ~missing).sum()), extinction, self.notes, True,
-                             self.oscillator.unit)  # fmt: skip
+                             int((gone & ~missing).sum()), extinction, self.notes,
+                             self.frame)  # fmt: skip
 
     @public
     def columns(
@@ -231,7 +233,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         # Asked of no times, for the refusal of an order alone.
         self.columns([], order=style.pop("order", None))
         found = self.sample(np.linspace(0.0, until, POINTS))
-        axes_of_motion(axes, si=self.si, unit=self.oscillator.unit)
+        axes_of_motion(axes, self.frame)
         axes.plot(found.t, found.x, **{"label": "x", **style})
         envelope_lines(axes, found.t, found.amplitude)
 
@@ -305,7 +307,12 @@ class SpringEnvelope(SlowNumbers, Drawn):
     def _page(self) -> Page:
         title, *rest = str(self).splitlines()
         rows = tuple((f"kappa_{i}", k) for i, k in enumerate(self.kappas(digits=12), start=1))
-        rows += (("period at the start, without loss", f"{self.period(abs(self.oscillator.x0), digits=12)} s"),)
+        rows += (
+            (
+                "period at the start, without loss",
+                self.frame.told("period", self.period(abs(self.oscillator.x0), digits=12)),
+            ),
+        )
         worth = "certified digits of the averaged law"
         return Page(title, (*rest, worth, f"{self.oscillator}"), ("", "value"), rows)
 

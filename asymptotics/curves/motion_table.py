@@ -44,7 +44,7 @@ def motion_table(moving: Motion | Reference, until: ExactReal, points: int) -> M
     def samples(found: Sequence[tuple[float, float]]) -> MotionSamples:
         t = np.array([_float(t) for t in times[: len(found)]])
         x, v = (np.array(column) for column in zip(*found))
-        return MotionSamples(t, x, v, None, None, None, None, 0, 0, None, (), moving.si, moving.oscillator.unit)
+        return MotionSamples(t, x, v, None, None, None, None, 0, 0, None, (), moving.frame)
 
     with changed(samples):
         return samples(_states(moving, times))

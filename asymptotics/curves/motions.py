@@ -14,7 +14,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,73 +22,34 @@ from numpy.typing import ArrayLike
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
 from asymptotics.costs import require_affordable
+from asymptotics.curves.events import Events, events_of
 from asymptotics.curves.proved_states import ProvedStates
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import InputError
+from asymptotics.frames import Frame, require_frame
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import LawLike, Oscillator
-from asymptotics.law_given import oscillator_of, require_oscillator
+from asymptotics.law_given import given_of, require_oscillator
 from asymptotics.motions.asymptotic import MAX_ORDER, AsymptoticMotion
 from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop
 from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.reference import estimated_seconds, reference_motion, reference_states
 from asymptotics.motions.result import MotionSamples
 from asymptotics.motions.state_route import alone
-from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes, require_one
 from asymptotics.present.drawn import Drawn, below
-from asymptotics.present.shown import Page, Rows
+from asymptotics.present.shown import Page
 from asymptotics.running.budget import seconds_left
 from asymptotics.running.public import public
 
 Array = Any
-# 15 digits of the reference are what a double shows; 10^4 half-swings and 120 s (the estimates are good to a factor of
-# three) bound the work of a curve.  They refuse, they decide no digit.
-DIGITS, MAX_EVENTS, MAX_SECONDS = 15, 10_000, 120
+# 15 digits of the reference are what a double shows; 120 s (the estimates are good to a factor of three) bound the work
+# of a curve.  They refuse, they decide no digit.
+DIGITS, MAX_SECONDS = 15, 120
 # Points of a drawing: an expansion costs microseconds a point, a reference a certified step or more.
 POINTS, ERROR_POINTS, REFERENCE_POINTS = 4001, 241, 401
-# Two zeros are about half a turn apart unless damping is strong: a pair in one cell of a sixteenth would be missed.
-_PER_HALF_SWING = 16
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Events(Alike, Rows):
-    """Times in s up to ``until``: turning points with their x, passages through 0 with their v, and the stop if any.
-
-    Doubles, heuristic: found on a grid of 16 points a half-swing and refined by Newton's method.
-    """
-
-    turning: Array
-    turning_x: Array
-    zeros: Array
-    zeros_v: Array
-    stop: float | None
-    until: float
-    unit: str = "m"
-
-    def _page(self) -> Page:
-        stop = "it does not stop" if self.stop is None else f"it stops at t = {self.stop:.10g} s"
-        title = f"{len(self.turning)} turning points, {len(self.zeros)} zeros up to t = {self.until:.10g} s"
-        rows = tuple(zip(*self._table().values()))
-        shown = tuple((event, f"{t:.10g}", f"{x:.10g}", f"{v:.10g}") for event, t, x, v in rows)
-        return Page(title, (stop, "estimates, in doubles"), self._head(), shown)
-
-    def _table(self) -> dict[str, list[Any]]:
-        at_turning = [("turning point", t, x, 0.0) for t, x in zip(self.turning, self.turning_x)]
-        rows = sorted(at_turning + [("zero", t, 0.0, v) for t, v in zip(self.zeros, self.zeros_v)], key=lambda r: r[1])
-        return {name: [row[i] for row in rows] for i, name in enumerate(self._head())}
-
-    def _head(self) -> tuple[str, ...]:
-        return "event", "t [s]", f"x [{self.unit}]", f"v [{self.unit}/s]"
-
-
-class _Sampled(Protocol):
-    @property
-    def oscillator(self) -> Oscillator: ...
-
-    def sample(self, t: ArrayLike) -> MotionSamples: ...
 
 
 @dataclass(frozen=True, repr=False)
@@ -99,10 +60,11 @@ class Motion(Drawn):
     order: int
     gauge: str
     notes: tuple[str, ...] = field(default=(), compare=False)
-    si: bool = field(default=True, compare=False)
+    frame: Frame = field(kw_only=True, compare=False)
 
     def __post_init__(self) -> None:
         require_oscillator(self.oscillator)
+        require_frame(self.frame)
         object.__setattr__(self, "order", exact_integer(self.order, "order", 1, MAX_ORDER))
         # Made once for its refusals; ``_motion`` makes its own when it is first asked.
         AsymptoticMotion.of(self.oscillator, self.order, self.gauge)
@@ -113,9 +75,12 @@ class Motion(Drawn):
         require_one(t, "t", "sample(t)")
         time, notes = exact_number(t, "t"), (*self.notes, *float_notes(t=t))
         if digits is not None:
-            return self._motion.at(time, exact_integer(digits, "digits", 1, 300)).noted(notes)
+            return self._told(self._motion.at(time, exact_integer(digits, "digits", 1, 300)), notes)
         # Thirty digits of an expansion that is right to five would mislead: they are asked for by ``digits``.
-        return self._motion.at(time).rounded_to_error().noted(notes)
+        return self._told(self._motion.at(time).rounded_to_error(), notes)
+
+    def _told(self, point: MotionPoint, notes: tuple[str, ...]) -> MotionPoint:
+        return replace(point.noted(notes), frame=self.frame)
 
     @public
     def bound(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
@@ -141,7 +106,7 @@ class Motion(Drawn):
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
-        return replace(self._motion.sample(times_of(t)), si=self.si)
+        return replace(self._motion.sample(times_of(t)), frame=self.frame)
 
     @public
     def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
@@ -162,17 +127,17 @@ class Motion(Drawn):
         errors = style.pop("errors", False)
         until = time_of_curve(self.oscillator, style.pop("until", None))
         found = self.sample(np.linspace(0.0, until, POINTS))
-        axes_of_motion(axes, si=self.si, unit=self.oscillator.unit)
+        axes_of_motion(axes, self.frame)
         axes.plot(found.t, found.x, **{"label": "x", **style})
         envelope_lines(axes, found.t, found.amplitude)
         if errors:
             t = np.linspace(0.0, until, ERROR_POINTS)
             # Fewer points than the curve: each is a point of the certified reference.  The start has the error 0, and a
             # logarithm none below 1e-17, under the rounding of doubles.
-            error = np.abs(self.sample(t).x - Reference(self.oscillator).sample(t).x)
+            error = np.abs(self.sample(t).x - Reference(self.oscillator, frame=self.frame).sample(t).x)
             lower = below(axes)
             lower.semilogy(t[1:], np.maximum(error[1:], 1e-17), color="#15803d")
-            lower.set_ylabel("|x - reference|" + (f" ({self.oscillator.unit})" if self.si else ""))
+            lower.set_ylabel(self.frame.axis("|x - reference|"))
 
     @cached_property
     def _motion(self) -> AsymptoticMotion:
@@ -180,8 +145,7 @@ class Motion(Drawn):
 
     def _page(self) -> Page:
         worth = f"order {self.order}, gauge {self.gauge}: an estimate; .bound(t) and .uniform_bound() are proved"
-        units = f"SI: x in {self.oscillator.unit}, t in s" if self.si else "no units: m = k = x0 = 1"
-        return Page(f"x(t) of {self.oscillator}", (worth, units, *self.notes))
+        return Page(f"x(t) of {self.oscillator}", (worth, self.frame.in_words, *self.notes))
 
     def _formula(self) -> str:
         return self.oscillator._formula()
@@ -197,10 +161,11 @@ class Reference(ProvedStates, Drawn):
     oscillator: Oscillator
     static: Number | None = None
     notes: tuple[str, ...] = field(default=(), compare=False)
-    si: bool = field(default=True, compare=False)
+    frame: Frame = field(kw_only=True, compare=False)
 
     def __post_init__(self) -> None:
         require_oscillator(self.oscillator).law.require_dissipative("reference motion to rest")
+        require_frame(self.frame)
         static = None if self.static is None else exact_number(self.static, "static")
         object.__setattr__(self, "static", static)
 
@@ -215,7 +180,7 @@ class Reference(ProvedStates, Drawn):
             static=self.static,
             max_seconds=seconds_left(),
         )
-        return point.noted((*self.notes, *float_notes(t=t)))
+        return replace(point.noted((*self.notes, *float_notes(t=t))), frame=self.frame)
 
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
@@ -228,8 +193,8 @@ class Reference(ProvedStates, Drawn):
         x, v = self._values(np.where(missing, 0.0, times).ravel())
         x, v = (np.where(missing, np.nan, values.reshape(times.shape)) for values in (x, v))
         notes = (*self.notes, *([f"NaN times: {missing.sum()}"] if missing.any() else []))
-        lost, unit = int(missing.sum()), self.oscillator.unit
-        return MotionSamples(times, x, v, None, None, None, None, lost, 0, None, notes, self.si, unit)
+        lost = int(missing.sum())
+        return MotionSamples(times, x, v, None, None, None, None, lost, 0, None, notes, self.frame)
 
     @public
     def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
@@ -258,12 +223,12 @@ class Reference(ProvedStates, Drawn):
         velocity = style.pop("velocity", False)
         until, points = time_of_curve(self.oscillator, style.pop("until", None)), style.pop("points", REFERENCE_POINTS)
         found = self.sample(np.linspace(0.0, until, points))
-        axes_of_motion(axes, si=self.si, unit=self.oscillator.unit)
+        axes_of_motion(axes, self.frame)
         axes.plot(found.t, found.x, **{"label": "x", **style})
         if velocity:
             lower = below(axes)
             lower.plot(found.t, found.v, color="#15803d")
-            lower.set_ylabel(f"v ({self.oscillator.unit}/s)" if self.si else "v")
+            lower.set_ylabel(self.frame.axis("v"))
 
     def _values(self, times: Array) -> tuple[Array, Array]:
         # The times of an array are binary fractions; their shortest decimals would be other times.
@@ -286,8 +251,7 @@ class Reference(ProvedStates, Drawn):
 
     def _page(self) -> Page:
         worth = "without expansion: .at(t) says its digits and whether they are certified; curves are doubles"
-        units = f"SI: x in {self.oscillator.unit}, t in s" if self.si else "no units: m = k = x0 = 1"
-        return Page(f"x(t) of {self.oscillator}", (worth, units, *self.notes))
+        return Page(f"x(t) of {self.oscillator}", (worth, self.frame.in_words, *self.notes))
 
     def _formula(self) -> str:
         return self.oscillator._formula()
@@ -302,15 +266,15 @@ def motion(law: LawLike, *, order: int = 3, gauge: str = TURNING_POINT, max_seco
 
     InputError for an unknown gauge, an order out of range, or anti-damping, at once.
     """
-    oscillator = oscillator_of(law)
-    return Motion(oscillator, order, gauge, oscillator.notes, isinstance(law, Oscillator))
+    given = given_of(law)
+    return Motion(given.oscillator, order, gauge, given.oscillator.notes, frame=given.frame)
 
 
 @public
 def reference(law: LawLike, *, static: Number | None = None, max_seconds: Number = 60) -> Reference:
     """The reference motion of an oscillator (SI) or of a law alone; ``static``: a static friction force in N."""
-    oscillator = oscillator_of(law)
-    return Reference(oscillator, static, oscillator.notes, isinstance(law, Oscillator))
+    given = given_of(law)
+    return Reference(given.oscillator, static, given.oscillator.notes, frame=given.frame)
 
 
 def time_of_curve(oscillator: Oscillator, until: Any) -> float:
@@ -323,9 +287,9 @@ def time_of_curve(oscillator: Oscillator, until: Any) -> float:
     return end
 
 
-def axes_of_motion(axes: Any, *, si: bool, unit: str) -> None:
+def axes_of_motion(axes: Any, frame: Frame) -> None:
     """The names of the axes of x against time, with their units."""
-    axes.set(xlabel="t (s)" if si else r"$\tau = \omega_0 t$", ylabel=f"x ({unit})" if si else "x")
+    axes.set(xlabel=frame.axis("t"), ylabel=frame.axis("x"))
 
 
 def envelope_lines(axes: Any, t: Array, amplitude: Array) -> None:
@@ -341,60 +305,3 @@ def times_of(t: Any) -> Array:
     if np.any(np.isinf(times)):
         raise InputError("time", "a time is infinite", "times in seconds")
     return times
-
-
-def events_of(moving: _Sampled, until: Number, stop: float | None) -> Events:
-    """Sign changes of v and x on a grid, refined by Newton's method with the acceleration of the equation."""
-    oscillator = moving.oscillator
-    end = exact_number(until, "until")
-    if not end > 0:
-        raise InputError("until", f"{end} is not positive", "a time > 0 in seconds")
-    last, omega = float(end.ball().mid()), float(oscillator.omega_0().mid())
-    swings = last * omega / np.pi
-    if swings > MAX_EVENTS:
-        raise LimitError("until", f"{swings:.3g} half-swings are too many", f"at most {MAX_EVENTS}")
-    if stop is not None:
-        # Beyond the stop x is constant and v = 0: no sign changes there.
-        last = min(last, stop)
-    grid = np.linspace(0.0, last, int(_PER_HALF_SWING * (swings + 1)) + 2)
-    found = moving.sample(grid)
-    turning = _crossings(moving, grid, found.v, of_velocity=True)
-    zeros = _crossings(moving, grid, found.x, of_velocity=False)
-    at_turning, at_zeros = moving.sample(turning), moving.sample(zeros)
-    ended = stop if stop is not None and stop <= float(end.ball().mid()) else None
-    return Events(turning, at_turning.x, zeros, at_zeros.v, ended, float(end.ball().mid()), oscillator.unit)
-
-
-def _crossings(moving: _Sampled, grid: Array, values: Array, *, of_velocity: bool) -> Array:
-    """Where ``values`` changes sign: the secant, then Newton steps kept inside the interval."""
-    # Signs, since products of neighbours are 0 below 1e-162.  What is exactly 0 has no sign and is passed over: so is
-    # the first grid point of a start at rest, which is no event, since events are in 0 < t.
-    signed = np.nonzero(values)[0]
-    grid, values = grid[signed], values[signed]
-    i = np.nonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0)[0]
-    low, high = grid[i], grid[i + 1]
-    t = low - values[i] * (high - low) / (values[i + 1] - values[i])
-    # The secant over a sixteenth of a half-swing is right to some hundredths of the cell, and each Newton step doubles
-    # the digits: three would do, a fourth costs little.  clip keeps a step that divides by nearly 0 in its cell.
-    for _ in range(4 if t.size else 0):
-        now = moving.sample(t)
-        # Newton for v = 0 needs v' = x'', from the equation of motion at the sampled state: differences of v would be
-        # rougher, and an expansion's v is differentiated nowhere.
-        step = now.v / _acceleration(moving.oscillator, now) if of_velocity else now.x / now.v
-        t = np.clip(t - np.where(np.isfinite(step), step, 0.0), low, high)
-    return t
-
-
-def _acceleration(oscillator: Oscillator, now: MotionSamples) -> Array:
-    """x'' = -(k x + sum of the forces)/m."""
-    force = float(oscillator.stiffness.ball().mid()) * now.x
-    for t in oscillator.law.terms:
-        b, velocity = float(t.b.ball().mid()), float(t.velocity.ball().mid())
-        if t.family:
-            # The pendulum's term is what sin x has beyond x, times the stiffness.
-            force = force + float(oscillator.stiffness.ball().mid()) * (np.sin(now.x) - now.x)
-        elif t.sign < 0:
-            force = force + b * np.abs(now.x) ** t.position * np.sign(now.v) * np.abs(now.v) ** velocity
-        else:
-            force = force + b * np.sign(now.x) * np.abs(now.x) ** t.position * np.abs(now.v) ** velocity
-    return -force / float(oscillator.mass.ball().mid())

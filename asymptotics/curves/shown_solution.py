@@ -26,12 +26,15 @@ A_0 = sympy.Symbol("A_0", positive=True)
 
 class _Numbers(NamedTuple):
     amplitude: str
-    phase: str
+    phase: str | None
     x: str
 
 
 class SolutionPoint(Shown, _Numbers):
-    """A, phi and x at one time, in decimals; heuristic: the error of the truncation is not in them."""
+    """A, phi and x at one time, in decimals; heuristic: the error of the truncation is not in them.
+
+    ``phase``: None where the mass is held or the amplitude has vanished.
+    """
 
     __slots__ = ()
 

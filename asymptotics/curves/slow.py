@@ -32,8 +32,9 @@ from asymptotics.envelopes.long_time import extinction, long_time
 from asymptotics.envelopes.slow_time import epsilon
 from asymptotics.envelopes.symbolic import MEAN, AveragedLaw, averaged_law, tau
 from asymptotics.errors import InputError
+from asymptotics.frames import Frame, require_frame
 from asymptotics.law import Law, LawLike, Oscillator
-from asymptotics.law_given import oscillator_of, require_oscillator
+from asymptotics.law_given import given_of, require_oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
 from asymptotics.motions.certify import time_of
 from asymptotics.motions.result import MotionSamples
@@ -52,7 +53,7 @@ MAX_DIGITS = 1000
 
 @dataclass(frozen=True, repr=False)
 class Envelope(SlowNumbers, Drawn):
-    """A(t) and phi(t) of dA/dtau = -sum kappa_i A^alpha_i, SI units for an oscillator.
+    """A(t) and phi(t) of dA/dtau = -sum kappa_i A^alpha_i, in SI units for an oscillator.
 
     Digits are certified for the averaged law; how far that is from the motion is what higher orders tell.
     """
@@ -60,10 +61,11 @@ class Envelope(SlowNumbers, Drawn):
     oscillator: Oscillator
     averaging: str
     notes: tuple[str, ...] = field(default=(), compare=False)
-    si: bool = field(default=True, compare=False)
+    frame: Frame = field(kw_only=True, compare=False)
 
     def __post_init__(self) -> None:
         require_oscillator(self.oscillator).law.require_pure("the first-order envelope")
+        require_frame(self.frame)
         # Made once for its refusals: an envelope that exists can be asked.
         FirstOrderEnvelope(self.oscillator, self.averaging)
 
@@ -92,7 +94,7 @@ class Envelope(SlowNumbers, Drawn):
     @public
     def slow(self, eta: Number = "1/10", *, max_seconds: Number = 60) -> SlowPart:
         """Where |dA/dt| <= eta omega_0 A: times in s for one law, amplitudes in m for a sum; doubles, heuristic."""
-        return slow_part(self._law, eta)
+        return slow_part(self._law, eta, self.frame)
 
     @public
     def series(self, order: int = 4, *, digits: int = 30, max_seconds: Number = 60) -> EnvelopeSeries:
@@ -204,7 +206,7 @@ class Envelope(SlowNumbers, Drawn):
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """Arrays of amplitude and phase at many times (s), with the motion x = A cos(omega_0 t + phi): doubles."""
-        return AsymptoticMotion.of(self.oscillator, 1).sample(times_of(t))
+        return replace(AsymptoticMotion.of(self.oscillator, 1).sample(times_of(t)), frame=self.frame)
 
     @public
     def amplitudes(self, t: ArrayLike, *, max_seconds: Number = 60) -> Any:
@@ -219,7 +221,7 @@ class Envelope(SlowNumbers, Drawn):
             return np.full_like(times_of(t), np.nan)
         # The difference below puts phi = 0 at the start, where the motion of order 2 has its own phi(0).
         motion, rate = self._turning
-        phi = motion.sample(np.asarray(times_of(t)) * rate).phase - motion.sample([0.0]).phase[0]
+        phi = motion.phases(np.asarray(times_of(t)) * rate) - motion.phases(np.zeros(1))[0]
         # From the extinction on there is no amplitude, and a phase of nothing is NaN, not the last value.
         return np.where(self.amplitudes(t) > 0, phi, np.nan)
 
@@ -275,7 +277,7 @@ class Envelope(SlowNumbers, Drawn):
         # Without an amplitude any phase draws the same curve; with the squaring trick, which has none, it is A
         # cos(omega_0 t).
         psi = t * float(self.oscillator.omega_0().mid()) + np.nan_to_num(phi)
-        axes_of_motion(axes, si=self.si, unit=self.oscillator.unit)
+        axes_of_motion(axes, self.frame)
         named = r"$A\,\cos(\omega_0 t + \varphi)$" + ("" if order is None else f", order {order}")
         axes.plot(t, A * np.cos(psi), **{"label": named, **style})
         envelope_lines(axes, t, A)
@@ -311,7 +313,7 @@ class Envelope(SlowNumbers, Drawn):
         title, *rest = str(self).splitlines()
         rows = tuple((f"kappa_{i}", k) for i, k in enumerate(self.kappas(digits=12), start=1))
         end = self.extinction_time(digits=12)
-        rows += () if end is None else (("extinct from", f"{end} s"),)
+        rows += () if end is None else (("extinct from", self.frame.told("t", end)),)
         worth = "certified digits of the averaged law (first order); how far it is from the motion, motion() tells"
         return Page(title, (*rest, worth, f"{self.oscillator}", *self.notes), ("", "value"), rows)
 
@@ -335,11 +337,12 @@ def envelope(law: LawLike, *, averaging: str = MEAN, max_seconds: Number = 60) -
     >>> envelope(Oscillator({2: "1/20"}, spring="pendulum", x0=3)).period(3, digits=12)
     '16.1555393724'
     """
-    oscillator = oscillator_of(law)
+    given = given_of(law)
+    oscillator = given.oscillator
     # A spring makes the phase, the period and the loss of a cycle depend on the amplitude, at any strength: another
     # averaged law, in another coordinate (``envelopes.large``).
     if any(not t.b.is_zero for t in oscillator.law.springs):
         if averaging != MEAN:
             raise InputError("averaging", f"{averaging!r:.40} knows the linear spring", MEAN)
-        return replace(SpringEnvelope.of(oscillator), si=isinstance(law, Oscillator))
-    return Envelope(oscillator, averaging, oscillator.notes, isinstance(law, Oscillator))
+        return SpringEnvelope.of(law)
+    return Envelope(oscillator, averaging, oscillator.notes, frame=given.frame)

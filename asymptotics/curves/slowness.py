@@ -18,6 +18,7 @@ from typing import Any
 from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.envelopes.validity import slow_amplitudes, slow_interval
 from asymptotics.errors import InputError, shown
+from asymptotics.frames import BARE, Frame
 from asymptotics.numbers.policy import exact_number
 from asymptotics.present.shown import Page, Shown
 
@@ -37,6 +38,7 @@ class SlowPart(Shown):
     start: float | None
     end: float | None
     eta: str
+    frame: Frame = BARE
 
     @property
     def certified(self) -> bool:
@@ -48,31 +50,32 @@ class SlowPart(Shown):
         ends = {name: None if x is None else _text(x, 17) for name, x in (("start", self.start), ("end", self.end))}
         return {"quantity": self.quantity, **ends, "eta": self.eta, "arithmetic": "heuristic"}
 
-    def told(self, unit: str = "") -> str:
-        """One line, with the unit of the quantity after its numbers."""
-        if not isinstance(unit, str):
-            raise InputError("unit", f"{shown(unit)} is no text", "the name of a unit, or nothing")
+    def __str__(self) -> str:
         head = f"slow (|dA/dt| <= {self.eta} omega_0 A)"
         if self.start is None or self.end is None:
             return f"{head} never; heuristic, doubles"
-        name = "t" if self.quantity == "time" else "A"
-        ends = " to ".join(_text(x, _SHOWN) + (unit if x < inf else "") for x in (self.start, self.end))
+        name = self.frame.time if self.quantity == "time" else "A"
+        ends = " to ".join(self._end(x) for x in (self.start, self.end))
         return f"{head} for {name} from {ends}; heuristic, doubles"
 
-    def __str__(self) -> str:
-        return self.told()
+    def _end(self, x: float) -> str:
+        return self.frame.told(self._name, _text(x, _SHOWN)) if x < inf else _text(x, _SHOWN)
+
+    @property
+    def _name(self) -> str:
+        return "t" if self.quantity == "time" else "x"
 
     def _page(self) -> Page:
-        unit = "s" if self.quantity == "time" else "m"
+        unit = self.frame.unit(self._name)
         ends = [(n, x) for n, x in (("from", self.start), ("to", self.end)) if x is not None]
         rows = tuple((n, _text(x, _SHOWN), unit if x < inf else "") for n, x in ends)
-        return Page(self.told(f" {unit}"), (), (self.quantity, "value", "unit"), rows)
+        return Page(str(self), (), (self.quantity, "value", "unit"), rows)
 
     def _formula(self) -> str:
         return rf"|dA/dt| \le \eta\,\omega_0 A,\quad \eta = {self.eta}"
 
 
-def slow_part(law: FirstOrderEnvelope, eta: Any) -> SlowPart:
+def slow_part(law: FirstOrderEnvelope, eta: Any, frame: Frame = BARE) -> SlowPart:
     """The times in s (one law) or the amplitudes in m (a sum) that are slow; InputError for an eta out of range."""
     limit = exact_number(eta, "eta")
     number, omega_0, length = (
@@ -92,8 +95,8 @@ def slow_part(law: FirstOrderEnvelope, eta: Any) -> SlowPart:
         found, unit = slow_amplitudes(law.numeric(), number), length
     quantity = "time" if len(active) == 1 else "amplitude"
     if found is None:
-        return SlowPart(quantity, None, None, str(limit))
-    return SlowPart(quantity, found.start * unit, found.end * unit, str(limit))
+        return SlowPart(quantity, None, None, str(limit), frame)
+    return SlowPart(quantity, found.start * unit, found.end * unit, str(limit), frame)
 
 
 def _text(x: float, digits: int) -> str:

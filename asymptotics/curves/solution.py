@@ -70,6 +70,7 @@ from asymptotics.expansions.multiple_scales.hierarchy import multiple_scales
 from asymptotics.expansions.multiple_scales.orders import a, psi
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
+from asymptotics.frames import BARE, Frame, frame_of
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Law, LawLike, Oscillator, of_unit_start
 from asymptotics.law_given import one_exponent, oscillator_of, require_oscillator
@@ -115,7 +116,7 @@ class Solution(ProvedCurve):
     oscillator: Oscillator | None
     notes: tuple[str, ...] = field(default=(), compare=False)
     start: tuple[Expr, Expr] | None = None
-    si: bool = field(default=True, compare=False)
+    frame: Frame = field(kw_only=True, compare=False)
     symbolic: bool = False
 
     @cached_property
@@ -381,13 +382,13 @@ def solution(
     """
     N = exact_integer(order, "order", 1, MAX_ORDER)
     require_flag(symbolic, "symbolic")
+    frame = frame_of(law) if isinstance(law, Oscillator) else BARE
     if isinstance(law, Law | Oscillator | Mapping):
         oscillator = oscillator_of(law)
         oscillator.law.require_dissipative("solution that decays")
-        # Only one power of the velocity makes A explicit: delta is then the one variable, and tau(delta) can be
-        # reversed.
+        # One power of the velocity alone makes A explicit: with delta as the one variable tau(delta) can be reversed.
         if len(oscillator.law.terms) > 1 or not oscillator.law.is_pure:
-            return replace(implicit_solution(oscillator, N), si=isinstance(law, Oscillator), symbolic=symbolic)
+            return replace(implicit_solution(oscillator, N, frame), symbolic=symbolic)
     exponent, given = one_exponent(law)
     scales = multiple_scales("symbolic" if exponent is None else exponent, order=N, gauge=TURNING_POINT)
     alpha = symbolic_alpha if exponent is None else to_sympy(exponent)
@@ -396,5 +397,4 @@ def solution(
     # Rates of order N act over times 1/epsilon and count like epsilon^(N-1), as the last waveform that is kept does.
     waves = tuple(closed_wave(scales, n) for n in range(1, N))
     start = None if given is None or given.v0.is_zero else start_in_motion(given, scales)
-    si = isinstance(law, Oscillator)
-    return Solution(alpha, N, p_1, relative, phase, waves, scales, given, scales.notes, start, si, symbolic)
+    return Solution(alpha, N, p_1, relative, phase, waves, scales, given, scales.notes, start, symbolic, frame=frame)

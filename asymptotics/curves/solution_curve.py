@@ -6,6 +6,7 @@ import numpy as np
 
 from asymptotics.curves.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve, times_of
 from asymptotics.errors import InputError
+from asymptotics.frames import Frame
 from asymptotics.law import Oscillator
 from asymptotics.numbers.policy import Number
 from asymptotics.present.drawn import Drawn
@@ -15,11 +16,11 @@ Array = Any
 
 
 class SolutionCurve(Drawn):
-    """What has ``oscillator``, ``order``, ``si`` and ``sample`` (of tau) as a curve."""
+    """What has ``oscillator``, ``order``, ``frame`` and ``sample`` (of tau) as a curve."""
 
     oscillator: Oscillator | None
     order: int
-    si: bool
+    frame: Frame
 
     @public
     def sample(self, times: Any, *, max_seconds: Number = 60) -> tuple[Array, Array, Array]:
@@ -50,6 +51,6 @@ class SolutionCurve(Drawn):
         # Options of our own are taken out first: what is left in ``style`` goes to Matplotlib's line.
         until = time_of_curve(self._given(), style.pop("until", None))
         t, A, _, x = self.columns(np.linspace(0.0, until, POINTS))
-        axes_of_motion(axes, si=self.si, unit=self._given().unit)
+        axes_of_motion(axes, self.frame)
         axes.plot(t, x, **{"label": "x", **style})
         envelope_lines(axes, t, A)

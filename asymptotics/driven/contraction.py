@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from flint import acb, arb
 
 from asymptotics.driven.drive import Balls
-from asymptotics.driven.expansion import Piece
+from asymptotics.driven.expansion import Arc
 from asymptotics.driven.trial import Trial
 from asymptotics.flow.balls import upper
 
@@ -40,7 +40,7 @@ def factor(trial: Trial, room: arb) -> arb:
     return (1 - 2 * share / (1 + (total * high).sqrt()) ** 2).sqrt().upper()
 
 
-def _speeds(p: Piece, apart: arb) -> tuple[arb, arb]:
+def _speeds(p: Arc, apart: arb) -> tuple[arb, arb]:
     """The least and the largest speed along a piece, of all motions within that distance in speed."""
     least = arb(0) if p.lead else (p.ws[0] * (1 - p.growth) - apart).lower()
     most = p.ws[0] * (1 + p.growth) * (p.length if p.lead else arb(1)) + apart

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from flint import arb
 
 from asymptotics.driven.drive import Balls
-from asymptotics.driven.expansion import Grid, Piece, grid, piece
+from asymptotics.driven.expansion import Arc, Lattice, grid, piece
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
@@ -30,12 +30,12 @@ class Trial:
     balls: Balls
     theta: arb
     X: arb
-    pieces: tuple[Piece, ...]
+    pieces: tuple[Arc, ...]
     nodes: tuple[arb, ...]
     miss: arb
 
 
-def grids(alphas: tuple[ExactReal, ...], bits: int) -> tuple[Grid, Grid]:
+def grids(alphas: tuple[ExactReal, ...], bits: int) -> tuple[Lattice, Lattice]:
     """The monomials at rest and in motion, as many as that many bits make cheap: choices."""
     order = int(0.35 * bits) + 6
     acting = tuple(a for a in alphas if not a.is_zero)
@@ -51,13 +51,13 @@ class March:
     """Pieces with the exact angles from theta_0 at which they begin, the mismatch (x, v) of the last two, the rest of
     the jumps and defects."""
 
-    pieces: tuple[Piece, ...]
+    pieces: tuple[Arc, ...]
     starts: tuple[arb, ...]
     mismatch: tuple[arb, arb]
     rest: arb
 
 
-def march(balls: Balls, both: tuple[Grid, Grid], theta: arb, X: arb) -> March:
+def march(balls: Balls, both: tuple[Lattice, Lattice], theta: arb, X: arb) -> March:
     """From rest at (theta, X), both exact, to rest at (theta + pi, -X)."""
     rest, moving = both
     aim, pi = 4.0 - ctx.prec, arb.pi()
@@ -100,7 +100,7 @@ def trial(balls: Balls, alphas: tuple[ExactReal, ...], start: tuple[arb, arb], l
     return Trial(balls, theta, X, found.pieces, (*found.starts, arb.pi()), miss)
 
 
-def _refined(balls: Balls, both: tuple[Grid, Grid], theta: arb, X: arb) -> tuple[arb, arb, March]:
+def _refined(balls: Balls, both: tuple[Lattice, Lattice], theta: arb, X: arb) -> tuple[arb, arb, March]:
     """The nearest turning point that Newton's method met, and its march."""
     found, fresh, last = march(balls, both, theta, X), False, arb.pos_inf()
     slopes: tuple[arb, ...] = ()
@@ -130,7 +130,9 @@ def _size(found: March) -> arb:
     return max(abs(m.mid()) for m in found.mismatch)
 
 
-def _slopes(balls: Balls, both: tuple[Grid, Grid], point: tuple[arb, arb], here: tuple[arb, arb]) -> tuple[arb, ...]:
+def _slopes(
+    balls: Balls, both: tuple[Lattice, Lattice], point: tuple[arb, arb], here: tuple[arb, arb]
+) -> tuple[arb, ...]:
     """(p_theta, p_X, q_theta, q_X) of the mismatch p, q."""
     d, (theta, X) = arb(2) ** (-ctx.prec // 2), point
     (a, c), (b, e) = (

@@ -194,7 +194,9 @@ def _active(laws: Laws) -> list[tuple[ExactReal, arb]]:
     """The laws of positive strength, by exponent; InputError for a strength that is not certainly 0 or positive."""
     for _, kappa in laws:
         if not (kappa == 0 or kappa > 0):
-            raise InputError("b", f"the strength {kappa.str(5)} is not certainly >= 0", "dissipative laws, b >= 0")
+            raise InputError(
+                "strength", f"the strength {kappa.str(5)} is not certainly >= 0", "dissipative laws, strengths >= 0"
+            )
     active = sorted(((a, k) for a, k in laws if k > 0), key=lambda law: law[0])
     if not active:
         raise InputError("law", "every strength is zero: the amplitude is constant", "at least one b > 0")

@@ -27,7 +27,7 @@ from asymptotics.envelopes import certified
 from asymptotics.envelopes.numeric import Array, NumericEnvelope
 from asymptotics.envelopes.symbolic import MEAN, SQUARING, require_averaging
 from asymptotics.errors import InputError
-from asymptotics.expansions.moments.symbolic import integer_moment
+from asymptotics.expansions.moments.written import integer_moment
 from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
@@ -137,7 +137,7 @@ class FirstOrderEnvelope:
 
     def numeric(self) -> NumericEnvelope:
         """The dimensionless averaged law in double precision, for arrays of tau; heuristic."""
-        return NumericEnvelope.of([(float(a.ball().mid()), float(k.mid())) for a, k in self.laws()])
+        return NumericEnvelope.of_weights([(float((a - 1).ball().mid()), float(k.mid())) for a, k in self.laws()])
 
     def amplitudes(self, t: Array) -> Array:
         """A in m at an array of times in s, in double precision: heuristic.  NaN stays NaN, extinct is 0."""

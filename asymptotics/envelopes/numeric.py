@@ -32,9 +32,9 @@ LAST_S = 700.0
 
 @dataclass(frozen=True, eq=False)
 class NumericEnvelope:
-    """A(tau) and tau(A) for exponents ``alphas`` and strengths ``kappas``; ``edges`` and ``times`` tabulate tau(s)."""
+    """A(tau), tau(A) for ``weights`` alpha_i - 1 and strengths ``kappas``; ``edges``, ``times``: a table of tau(s)."""
 
-    alphas: tuple[float, ...]
+    weights: tuple[float, ...]
     kappas: tuple[float, ...]
     edges: Array
     times: Array
@@ -42,30 +42,35 @@ class NumericEnvelope:
     @classmethod
     def of(cls, laws: Iterable[tuple[float, float]]) -> "NumericEnvelope":
         """From (alpha, kappa) pairs; zero strengths are dropped.  InputError for negative or infinite strengths."""
-        pairs = sorted((float(a), float(k)) for a, k in laws)
+        return cls.of_weights((a - 1, k) for a, k in laws)
+
+    @classmethod
+    def of_weights(cls, laws: Iterable[tuple[float, float]]) -> "NumericEnvelope":
+        """The same from (alpha - 1, kappa): of an alpha next to 1 a double would keep few digits of the difference."""
+        pairs = sorted((float(w), float(k)) for w, k in laws)
         for _, kappa in pairs:
             if not 0 <= kappa < np.inf:
                 raise InputError("kappa", f"{kappa} is not a strength", "finite numbers >= 0")
-        active = [(a, k) for a, k in pairs if k > 0]
+        active = [(w, k) for w, k in pairs if k > 0]
         if not active:
             raise InputError("law", "every strength is zero: the amplitude is constant", "at least one kappa > 0")
-        alphas, kappas = tuple(a for a, _ in active), tuple(k for _, k in active)
-        return cls(alphas, kappas, *_table(alphas, kappas))
+        weights, kappas = tuple(w for w, _ in active), tuple(k for _, k in active)
+        return cls(weights, kappas, *_table(weights, kappas))
 
     @property
     def extinction_time(self) -> float | None:
         """tau where A reaches 0, for a least exponent below 1; None otherwise."""
-        below = 1 - self.alphas[0]
+        below = -self.weights[0]
         if below <= 0:
             return None
-        if len(self.alphas) == 1:
+        if len(self.weights) == 1:
             return 1 / (below * self.kappas[0])
         # Behind the table the least exponent rules alone: the rest is its integral to infinity.
         return float(self.times[-1]) + float(np.exp(-below * self.edges[-1])) / (below * self.kappas[0])
 
     def roundings(self, A: float) -> float:
         """How often a time is rounded on the way down to A: half a last place for each panel of a sum, and a few."""
-        panels = 0 if len(self.alphas) == 1 else int(np.searchsorted(self.edges, -np.log(A))) + 1
+        panels = 0 if len(self.weights) == 1 else int(np.searchsorted(self.edges, -np.log(A))) + 1
         return 8 + panels / 2
 
     def amplitude(self, tau: ArrayLike) -> Array:
@@ -79,9 +84,9 @@ class NumericEnvelope:
         t = np.asarray(tau, dtype=float)
         if np.any(t < 0):
             raise InputError("time", "a time is negative", "times from the start on")
-        if len(self.alphas) > 1:
+        if len(self.weights) > 1:
             return self._from_table(t)
-        exponent, kappa = self.alphas[0] - 1, self.kappas[0]
+        exponent, kappa = self.weights[0], self.kappas[0]
         if exponent == 0:
             return kappa * t
         # From the extinction on log1p(-1)/exponent is infinity (the
@@ -96,8 +101,8 @@ class NumericEnvelope:
         if np.any((a <= 0) | (a > 1)):
             raise InputError("amplitude", "an amplitude is not in (0, 1]", "0 < A <= 1, in units of x0")
         s = -np.log(a)
-        if len(self.alphas) == 1:
-            exponent = self.alphas[0] - 1
+        if len(self.weights) == 1:
+            exponent = self.weights[0]
             return np.asarray((np.expm1(exponent * s) / exponent if exponent else s) / self.kappas[0])
         known = np.where(np.isnan(s), 0.0, s)
         if np.any(known > self.edges[-1]):
@@ -122,8 +127,8 @@ class NumericEnvelope:
 
     def _rate(self, s: Array) -> Array:
         total = np.zeros_like(s)
-        for a, k in zip(self.alphas, self.kappas):
-            total = total + k * np.exp((1 - a) * s)
+        for w, k in zip(self.weights, self.kappas):
+            total = total + k * np.exp(-w * s)
         return total
 
     def _piece(self, left: Array, right: Array) -> Array:
@@ -136,13 +141,13 @@ class NumericEnvelope:
         return half * total
 
 
-def _table(alphas: tuple[float, ...], kappas: tuple[float, ...]) -> tuple[Array, Array]:
+def _table(weights: tuple[float, ...], kappas: tuple[float, ...]) -> tuple[Array, Array]:
     """Panel edges in s and tau there, as far as tau is finite; a trivial table for one law."""
-    if len(alphas) == 1:
+    if len(weights) == 1:
         return np.zeros(1), np.zeros(1)
-    width = 0.25 / max(1.0, *(abs(a - 1) for a in alphas))
+    width = 0.25 / max(1.0, *(abs(w) for w in weights))
     edges: Array = np.asarray(np.arange(int(LAST_S / width) + 1) * width, dtype=np.float64)
-    bare = NumericEnvelope(alphas, kappas, edges, edges)
+    bare = NumericEnvelope(weights, kappas, edges, edges)
     with np.errstate(over="ignore", divide="ignore", under="ignore"):
         sums = np.concatenate([[0.0], np.cumsum(bare._piece(edges[:-1], edges[1:]))])
         # What comes after an infinite entry has left the doubles.

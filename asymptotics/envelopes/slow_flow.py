@@ -68,7 +68,7 @@ class ExponentialSum:
                 for e, n in zip(epsilons, key):
                     c = c * e**n
                 # Midpoints alone: what is made of these sums is heuristic
-                # (``motions.frame``), and a radius would only look like a proof.
+                # (``motions.truncation``), and a radius would only look like a proof.
                 terms.append((arb(c).mid(), arb(grading.weight(key)).mid()))
         return cls(tuple(terms))
 

@@ -59,7 +59,7 @@ def slow_amplitudes(envelope: NumericEnvelope, eta: float) -> SlowInterval | Non
 
     def excess(s: float) -> float:
         # exp leaves the doubles at 709, and a rate of e^700 is above every eta as it is.
-        total = sum(exp(min(log(k) + (1 - a) * s, 700.0)) for a, k in zip(envelope.alphas, envelope.kappas))
+        total = sum(exp(min(log(k) - w * s, 700.0)) for w, k in zip(envelope.weights, envelope.kappas))
         return log(total) - log(eta)
 
     # The function is convex, so a bounded search finds its only minimum; it never looks at the ends, which come after.

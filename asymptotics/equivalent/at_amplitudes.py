@@ -2,8 +2,9 @@
 
 Equivalent linearisation by the energy of one cycle (Bogoliubov and Mitropolsky), beside what the motion itself does.
 
+>>> from asymptotics.frames import BARE
 >>> air = Oscillator({2: "1/10"})
->>> found = damping_at(air, [ExactReal(1)], si=False, digits=6)
+>>> found = damping_at(air, [ExactReal(1)], frame=BARE, digits=6)
 >>> found.formulas["Q"], found.rows[0].first.Q, found.rows[0].motion.decrement
 (3*pi/(8*A*epsilon), '11.7810', '0.236684')
 """
@@ -17,6 +18,7 @@ from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import DampingRow, row_at
 from asymptotics.equivalent.symbolic import closed_forms
 from asymptotics.errors import InputError, shown
+from asymptotics.frames import Frame
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.running.cut_short import keeping
@@ -29,7 +31,7 @@ def damping_at(
     oscillator: Oscillator,
     amplitudes: Sequence[ExactReal] | None = None,
     *,
-    si: bool,
+    frame: Frame,
     digits: int,
     order: int | None = None,
     motion: bool = True,
@@ -41,15 +43,15 @@ def damping_at(
     amplitudes outside the well; an error that cuts the work short carries the rows that are done.
     """
     _require_energy(oscillator)
-    size = _size(unit, oscillator, si, given=amplitudes is not None)
+    size = _size(unit, oscillator, frame, given=amplitudes is not None)
     taken = _of_the_start(oscillator) if amplitudes is None else amplitudes
-    formulas = closed_forms(oscillator.law.terms, si=si)
+    formulas = closed_forms(oscillator.law.terms, frame)
     rows: list[DampingRow] = []
 
     def found() -> EquivalentDamping:
         length = float(size.ball().mid())
         return EquivalentDamping(
-            oscillator, si, digits, order, formulas, tuple(rows), oscillator.notes, unit, length
+            oscillator, frame, digits, order, formulas, tuple(rows), oscillator.notes, unit, length
         )  # fmt: skip
 
     # Each row is a certified swing that may take seconds: those that are done outlive a time that is over.
@@ -69,10 +71,10 @@ def _require_energy(oscillator: Oscillator) -> None:
             raise InputError("spring", f"{t.shape()} depends on the velocity: no potential", "springs c x|x|^(P-1)")
 
 
-def _size(unit: str, oscillator: Oscillator, si: bool, *, given: bool) -> ExactReal:
+def _size(unit: str, oscillator: Oscillator, frame: Frame, *, given: bool) -> ExactReal:
     """The unit of the amplitudes in m or rad."""
     pendulum = oscillator.unit == "rad"
-    known = ANGLES if pendulum else LENGTHS if si else {}
+    known = ANGLES if pendulum else LENGTHS if frame else {}
     if not isinstance(unit, str) or (unit and unit not in known):
         accepted = ", ".join(known) or "deg, mrad of a pendulum; cm, in of an oscillator with mass and stiffness"
         raise InputError("unit", f"{shown(unit)} is no unit of these amplitudes", accepted)

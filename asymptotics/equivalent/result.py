@@ -15,6 +15,7 @@ from sympy import Expr
 from asymptotics.equivalent.conversions import Conversion, conversions
 from asymptotics.equivalent.rows import DRAWN, OF_MOTION, QUANTITIES, DampingRow, Measure, cycle_of
 from asymptotics.errors import InputError, require_choice
+from asymptotics.frames import Frame
 from asymptotics.law import Oscillator
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.context import ctx
@@ -52,7 +53,7 @@ class EquivalentDamping(Rows, Drawn):
     """
 
     oscillator: Oscillator | None
-    si: bool
+    frame: Frame
     digits: int
     order: int | None
     formulas: dict[str, Expr]
@@ -115,7 +116,7 @@ class EquivalentDamping(Rows, Drawn):
     @public
     def conversions(self, *, max_seconds: Number = 60) -> tuple[Conversion, ...]:
         """The strengths under the names of ITTC, IMO, OpenFAST, OrcaFlex and of dampers, with their definitions; SI."""
-        if not self.si:
+        if not self.frame:
             raise InputError("law", "it has no units", "an oscillator: mass, stiffness and b in SI")
         return conversions(self._numbers(), self.digits)
 
@@ -130,8 +131,9 @@ class EquivalentDamping(Rows, Drawn):
             {"amplitude": row.amplitude, **{part: m.to_dict() for part, m in row.parts.items()}} for row in self.rows
         ]
         units = {name: self._unit(name) for name in ("amplitude", *QUANTITIES)}
+        law = None if self.oscillator is None else str(self.oscillator.law)
         return {
-            "law": None if self.oscillator is None else str(self.oscillator.law), "si": self.si, "units": units,
+            "law": law, "si": bool(self.frame), "units": units,
             "formulas": formulas, "order": self.order, "digits": self.digits, "rows": rows,
             "certified": self.certified, "notes": list(self.notes),
         }  # fmt: skip
@@ -184,6 +186,7 @@ class EquivalentDamping(Rows, Drawn):
     def _letters(self) -> dict[str, str]:
         return {
             "A": "turning amplitude", "a": "the amplitude integrated over", "E": "energy V(A)", "k": "stiffness",
+            "c": "c_eq, the viscous coefficient that takes as much; c alone: strength of the spring", "t": "half-life",
             "x": "the place integrated over", r"\zeta": "equivalent damping ratio Delta E/(4 pi E)",
             r"\Lambda": "decrement of a swing", r"\Delta": "what a cycle takes", "F": "hypergeometric function",
         }  # fmt: skip
@@ -194,7 +197,7 @@ class EquivalentDamping(Rows, Drawn):
     def _unit(self, name: str) -> str:
         if name == "amplitude" and self.unit:
             return self.unit
-        if not self.si or self.oscillator is None:
+        if not self.frame or self.oscillator is None:
             return ""
         return (ANGULAR if self.oscillator.unit == "rad" else UNITS).get(name, "")
 

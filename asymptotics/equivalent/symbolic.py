@@ -12,10 +12,11 @@ Linear spring (derivation ``equivalent-damping``), losses b |x|^m v|v|^(alpha-1)
 Pendulum and x + c x^3: zeta by 2F1, exact in the amplitude (``straightening.wells``); other springs: an integral that
 waits.  The half-life is the time in which A falls to A/2: closed for one loss, and for two if one has degree 1.
 
->>> x = closed_forms((Term(1, 2),), si=False)
+>>> from asymptotics.frames import BARE
+>>> x = closed_forms((Term(1, 2),), BARE)
 >>> x["zeta"], x["Q"], x["half_life"]
 (4*A*epsilon/(3*pi), 3*pi/(8*A*epsilon), 3*pi/(4*A*epsilon))
->>> closed_forms((Term(1, 1),), si=True)["c_eq"]
+>>> closed_forms((Term(1, 1),), Frame("m", "s"))["c_eq"]
 b
 """
 
@@ -25,6 +26,7 @@ import sympy
 from sympy import Expr, Rational, pi
 
 from asymptotics.expansions.moments.symbolic import mean
+from asymptotics.frames import Frame
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.terms import Term
 
@@ -37,23 +39,24 @@ Loss = tuple[Expr, Expr, int]
 """Strength b (epsilon without units), exponent alpha, place m."""
 
 
-def closed_forms(terms: Sequence[Term], *, si: bool) -> dict[str, Expr]:
-    """The six formulas in A, the strengths epsilon (b, m, k with ``si``) and c of the springs; several are numbered."""
+def closed_forms(terms: Sequence[Term], frame: Frame) -> dict[str, Expr]:
+    """The six formulas in A, the strengths epsilon (b, m, k with units) and c of the springs; several are numbered."""
     losses, springs = ([t for t in terms if t.sign == side] for side in (-1, 1))
-    names = _numbered("b" if si else "epsilon", len(losses))
+    names = _numbered("b" if frame else "epsilon", len(losses))
     read = [(b, to_sympy(t.velocity), t.position) for b, t in zip(names, losses)]
     cs = _numbered("c", sum(not t.family for t in springs))
-    return _forms(read, springs, cs, (MASS, STIFFNESS) if si else (sympy.Integer(1), sympy.Integer(1)))
+    return _forms(read, springs, cs, (MASS, STIFFNESS) if frame else (sympy.Integer(1), sympy.Integer(1)))
 
 
-def symbolic_exponent(*, si: bool) -> dict[str, Expr]:
+def symbolic_exponent(frame: Frame) -> dict[str, Expr]:
     """The formulas of x'|x'|^(alpha-1) beside the linear spring, with a symbol for alpha.
 
-    >>> symbolic_exponent(si=False)["zeta"]
+    >>> from asymptotics.frames import BARE
+    >>> symbolic_exponent(BARE)["zeta"]
     A**(alpha - 1)*epsilon*gamma(alpha/2 + 1)/(sqrt(pi)*gamma(alpha/2 + 3/2))
     """
-    strength = sympy.Symbol("b" if si else "epsilon", positive=True)
-    units = (MASS, STIFFNESS) if si else (sympy.Integer(1), sympy.Integer(1))
+    strength = sympy.Symbol("b" if frame else "epsilon", positive=True)
+    units = (MASS, STIFFNESS) if frame else (sympy.Integer(1), sympy.Integer(1))
     return _forms([(strength, ALPHA, 0)], [], [], units)
 
 

@@ -29,7 +29,6 @@ stay positive.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import islice
 from math import inf
 from operator import mul
 
@@ -39,14 +38,15 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import dyadic, size_of, upper
 from asymptotics.flow.composition import ComposedSeries, ExponentLine
 from asymptotics.flow.force import Smooth
+from asymptotics.flow.growing_product import GrowingProduct, block_for
 from asymptotics.numbers.context import cached_property, ctx
 
 GUARD = 32  # bits more for the coefficients, whose recurrence cancels; the force should carry them
 DEGREE_PER_BIT = 0.42
 """The degree n of a step for each bit.  A step of n terms is as long as R 2^(-bits/n) and costs n^2 products, so the
 cost per time is least at n = (ln 2/2) bits = 0.35 bits.  What a step costs besides, its discs and its state, asks for
-longer ones: measured for 0.25, 0.35, 0.42, 0.5 and 0.69, a half-swing of x'|x'|^(1/2)/5 took 19, 16, 16, 17 and 19 ms
-in 100 bits, and 3.2, 2.8, 3.0, 3.2 and 3.6 s in 1000."""
+longer ones: measured for 0.25, 0.35, 0.42, 0.5 and 0.69 on a busy machine, a half-swing of x'|x'|^(1/2)/5 took 24, 19,
+19, 19 and 16 ms in 100 bits, 166, 121, 112, 114 and 118 in 300, and 1.43, 1.15, 1.12, 1.14 and 1.19 s in 1000."""
 _SHARES = (0.95, 0.88, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.12, 0.05, 0.02, 0.01, 0.004, 0.001)
 """Radii to try, in units of one where no term of W exceeds w_0: dense where a step usually is, and down to a thousandth
 for a force that grows fast."""
@@ -160,28 +160,41 @@ def _whole(exponent: arb) -> int:
 
 def _of_real_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
     """w^alpha by its logarithmic derivative."""
-    side, none = 1 if u > 0 else -1, arb(0)
+    side, none, full = 1 if u > 0 else -1, arb(0), ctx.prec
     springs, losses, ln_w, inverse = force.restoring_powers(side), force.loss_powers(side), w.log(), 1 / w
     curve = ComposedSeries(ExponentLine(()), force.rate, {n for _, n in springs} | {m for _, m, _ in losses if m}, u)
     ws, powers = [w], [[d * (a * ln_w).exp()] for d, _, a in losses]
-    placed = [(curve.power[m], p) for (_, m, _), p in zip(losses, powers) if m]
+    rest: list[arb] = []  # of w, from t on
+    ratio: list[arb] = []  # of l = w'/w
+    placed = [GrowingProduct(curve.power[m], p, order) for (_, m, _), p in zip(losses, powers) if m]
     alone = [p for (_, m, _), p in zip(losses, powers) if not m]
-    growing = [(a, p) for (_, _, a), p in zip(losses, powers)]
-    ratio: list[arb] = []  # of w'/w
-    for k in range(order):
-        slope = curve.restoring(springs)
-        for p in alone:
-            slope += p[-1]
-        for q, p in placed:
-            slope += sum(map(mul, q, reversed(p)), none)
-        curve.append(-ws[k] / (k + 1))
-        ws.append(slope / (k + 1))
-        # w l = w' solved for the k-th coefficient of l, and then (k+1) p_(k+1) = alpha sum l_j p_(k-j), from p' = alpha
-        # l p.
-        ratio.append((slope - sum(map(mul, islice(ws, 1, k + 1), reversed(ratio)), none)) * inverse)
-        for a, p in growing:
-            p.append(a * sum(map(mul, ratio, reversed(p)), none) / (k + 1))
+    moved = GrowingProduct(rest, ratio, order)
+    growing = [(a, p, GrowingProduct(ratio, p, order)) for (_, _, a), p in zip(losses, powers)]
+    block = block_for(order)
+    for start in range(0, order, block):
+        with ctx.workprec(_bits_for(start, order, full)):
+            for k in range(start, min(start + block, order)):
+                slope = curve.restoring(springs)
+                for p in alone:
+                    slope += p[-1]
+                for product in placed:
+                    slope += product.last()
+                curve.append(-ws[k] / (k + 1))
+                ws.append(slope / (k + 1))
+                # w l = w' solved for the k-th coefficient of l, and then (k+1) p_(k+1) = alpha sum l_j p_(k-j), from p'
+                # = alpha l p.
+                ratio.append((slope - (moved.last() if k else none)) * inverse)
+                rest.append(ws[-1])
+                for a, p, product in growing:
+                    p.append(a * product.last() / (k + 1))
     return curve.u, ws
+
+
+def _bits_for(k: int, order: int, full: int) -> int:
+    """Bits in which the coefficients from the k-th on are computed: those of the last one need ``GUARD`` only."""
+    # On a step |c_k| h^k falls about evenly, from the scale to 2^-bits of it at the order.  A choice: what is rounded
+    # off is in the radii, and those in the state at the end of the step.
+    return max(GUARD, full - max(0, full - GUARD) * k // order)
 
 
 def _longest(force: Smooth, us: list[arb], ws: list[arb], unit: arb, tolerance: float) -> tuple[arb, arb, float]:

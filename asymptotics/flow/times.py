@@ -29,6 +29,10 @@ class NearRest(Protocol):
     def reach(self) -> arb:
         """The largest speed at which the expansion is used."""
 
+    @property
+    def gathered(self) -> "NearRest":
+        """The same, as is cheapest where many speeds are looked at, at the current precision."""
+
     def state(self, w: arb, /) -> tuple[arb, arb]:
         """(place, tau) at the speed 0 <= w <= reach."""
 
@@ -41,6 +45,7 @@ class NearRest(Protocol):
 
 def at_time(expansion: NearRest, s: arb) -> tuple[arb, arb]:
     """(place, speed) at the time s (a ball) from the turning point of an expansion, within its reach."""
+    expansion = expansion.gathered
     # Any w with tau(w) known would do; the nearer tau(w) is to s, the less the motion moves in what is left.
     w = _speed_at(expansion, s.mid())
     place, tau = expansion.state(w)

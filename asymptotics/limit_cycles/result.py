@@ -15,7 +15,7 @@ import numpy as np
 import sympy
 from flint import arb, fmpq
 
-from asymptotics.errors import InputError
+from asymptotics.errors import AbsentError
 from asymptotics.expansions.half_swings.pi_decimals import exact_coefficient
 from asymptotics.expansions.half_swings.pi_ring import PI
 from asymptotics.expansions.normal_form.results import Coefficient, Row, row_to_dict
@@ -53,8 +53,8 @@ class LimitCycle(Rows, Drawn):
 
     @property
     def at(self) -> NoReturn:
-        """InputError: the former name of ``at_mu``; of every other result ``at`` is a method."""
-        raise InputError("at", "a limit cycle has no such field", ".at_mu, the certified cycle at the number mu")
+        """AbsentError: the former name of ``at_mu``; of every other result ``at`` is a method."""
+        raise AbsentError("at", "a limit cycle has no such field", ".at_mu, the certified cycle at the number mu")
 
     def to_dict(self) -> dict[str, Any]:
         """The result as a JSON-ready mapping: numbers are strings."""

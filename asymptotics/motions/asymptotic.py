@@ -39,15 +39,16 @@ import numpy as np
 from flint import acb, arb
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.frames import frame_of
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.law import Oscillator
 from asymptotics.motions.admission import local_strength, require_served
 from asymptotics.motions.certify import half_unit
 from asymptotics.motions.doubles import Doubles
-from asymptotics.motions.frame import Frame, State
 from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.result import MotionSamples
 from asymptotics.motions.stopping import LastSwing, friction_arc, last_swing
+from asymptotics.motions.truncation import State, Truncation
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
@@ -125,8 +126,16 @@ class AsymptoticMotion:
         if last is not None and np.any(flat >= last.end):
             notes = (*notes, self._held_note(last))
         end = extinction / omega if np.isfinite(extinction) else None
-        lost, unit = (int(missing.sum()), int(gone.sum())), self.oscillator.unit
-        return MotionSamples(times, x, v, a, phi, self.order, self.gauge, *lost, end, notes, unit=unit)
+        lost = int(missing.sum()), int(gone.sum())
+        return MotionSamples(times, x, v, a, phi, self.order, self.gauge, *lost, end, notes, frame_of(self.oscillator))
+
+    def phases(self, t: Array) -> Array:
+        """phi of the slow flow at an array of times t >= 0 in s, which knows no end by friction; doubles."""
+        times = np.asarray(t, dtype=float)
+        known = np.isnan(times)
+        omega = float(self.oscillator.omega_0())
+        found = self._doubles.phases(np.where(known, 0.0, times).ravel() * omega).reshape(times.shape)
+        return np.where(known, np.nan, found)
 
     def double_errors(self, t: Array) -> dict[str, Array]:
         """How far the doubles of ``sample`` are from the expansion, by the names of its columns; estimates."""
@@ -142,10 +151,10 @@ class AsymptoticMotion:
     @cached_property
     def _doubles(self) -> Doubles:
         with ctx.workprec(120):
-            return Doubles.of(Frame.of(self.oscillator, self.order, self.gauge))
+            return Doubles.of(Truncation.of(self.oscillator, self.order, self.gauge))
 
     def _point(self, tau: arb, digits: int) -> MotionPoint:
-        frame = Frame.of(self.oscillator, self.order, self.gauge)
+        frame = Truncation.of(self.oscillator, self.order, self.gauge)
         start = frame.start(self._doubles.guess)
         last = last_swing(self._doubles, float(tau))
         if last is not None and float(tau) >= last.begin:
@@ -163,7 +172,7 @@ class AsymptoticMotion:
         values = [z.real, -z.imag, (-state.s).exp()]
         return self._shown(values, state.psi - tau, self._estimate(tau, frame, start, state), (), digits)
 
-    def _ended(self, tau: arb, frame: Frame, start: State, last: LastSwing, digits: int) -> MotionPoint:
+    def _ended(self, tau: arb, frame: Truncation, start: State, last: LastSwing, digits: int) -> MotionPoint:
         """The last half-swing, and rest: friction holds the mass (``stopping``)."""
         z, begin, error = frame.target, arb(0), arb(0)
         if last.turn is not None:
@@ -200,12 +209,12 @@ class AsymptoticMotion:
         shown = None if phase is None else decimal_of_ball(phase.mid(), digits) or "0"
         notes = (*oscillator.law.notes, *notes)
         worth = (self.order, self.gauge, METHOD, error, False)
-        return MotionPoint(x, v, amplitude, shown, *worth, notes, oscillator.unit)
+        return MotionPoint(x, v, amplitude, shown, *worth, notes, frame_of(oscillator))
 
-    def _estimate(self, tau: arb, frame: Frame, start: State, state: State) -> arb:
+    def _estimate(self, tau: arb, frame: Truncation, start: State, state: State) -> arb:
         """2 A (|change of ln A| + |change of psi| + |next terms of the waveform|), the change from N to N + 2."""
         # Two orders more, since p has odd and Omega even degrees only: N + 1 alone would change one of them.
-        finer = Frame.of(self.oscillator, self.order + 2, self.gauge)
+        finer = Truncation.of(self.oscillator, self.order + 2, self.gauge)
         try:
             better = finer.state(tau, finer.start(None, start))
         except InputError:  # the law of order N + 2 breaks down before: nothing is known beyond the amplitude itself

@@ -11,8 +11,8 @@ import numpy as np
 
 from asymptotics.envelopes.slow_flow import SlowTable
 from asymptotics.errors import InputError
-from asymptotics.motions.frame import Frame, Guess
 from asymptotics.motions.stopping import last_swing
+from asymptotics.motions.truncation import Guess, Truncation
 from asymptotics.motions.waveform import WaveformTable
 from asymptotics.numbers.double_error import EPS, STEP, of_rounding
 
@@ -35,13 +35,13 @@ def out_of_reach() -> InputError:
 class Doubles:
     """The same frame for arrays: tables of the waveform, and of the slow flow as far as it is asked for."""
 
-    frame: Frame
+    frame: Truncation
     table: WaveformTable
     begin: tuple[float, float]
     reached: list[tuple[float, SlowTable]]
 
     @classmethod
-    def of(cls, frame: Frame) -> "Doubles":
+    def of(cls, frame: Truncation) -> "Doubles":
         """The tables of a frame; InputError if the waveform series does not reach the start."""
         table = WaveformTable.of(frame.flow, frame.forces, frame.order - 1)
         found = cls(frame, table, (0.0, 0.0), [])
@@ -128,9 +128,10 @@ class Doubles:
         return s - self.frame.back_modulus.array(s), psi + self.frame.back_argument.array(s)
 
     def evaluate(self, tau: Array) -> Array:
-        """Rows X, X', A, phi at an array of times; zero (phi: its last value) beyond the extinction.
+        """Rows X, X', A, phi at an array of times; zero (phi: NaN) beyond the extinction.
 
-        Where dry friction stops the mass it stays: X held, X' = 0, A = |X| and phi NaN from the stop on.
+        Where dry friction stops the mass it stays: X held, X' = 0 from the stop on.  From the last turning point on,
+        where friction alone acts (``stopping``), A = |X| and phi is NaN: the slow flow is not asked any more.
         """
         with np.errstate(all="ignore"):
             out = self._evaluated(tau)
@@ -155,16 +156,22 @@ class Doubles:
             lost = np.nan_to_num(errors[2] / found[2]) + np.nan_to_num(errors[3])
         wave = _WAVEFORM if self.table.keys else 0.0
         errors[:2] = np.max(found[2] * (lost + 8 * EPS * (1 + tau) + wave), initial=0.0)
+        if (last := last_swing(self, float(tau.max(initial=0.0)))) is not None:
+            errors[2] = np.where(tau >= last.begin, errors[0], errors[2])  # A = |X| there
         return errors
+
+    def phases(self, tau: Array) -> Array:
+        """phi of the slow flow at an array of times, wherever friction ends the motion; NaN beyond the extinction."""
+        with np.errstate(all="ignore"):
+            return self._expanded(tau)[3]
 
     def _evaluated(self, tau: Array) -> Array:
         out = self._expanded(tau)
         last = last_swing(self, float(tau.max(initial=0.0)))
         if last is not None:
-            moving, over = (tau >= last.begin) & (tau < last.end), tau >= last.end
-            for where in (moving, over):
-                out[0, where], out[1, where] = last.at(tau[where])
-            out[2, over], out[3, over] = abs(last.hold), np.nan
+            over = tau >= last.begin
+            out[0, over], out[1, over] = last.at(tau[over])
+            out[2, over], out[3, over] = np.abs(out[0, over]), np.nan
         return out
 
     def _expanded(self, tau: Array) -> Array:
@@ -183,5 +190,6 @@ class Doubles:
             rows = out[:, low : low + _CHUNK]
             rows[0], rows[1] = A * (P * cosine - Q * sine), -A * (P * sine + Q * cosine)
             rows[2], rows[3] = A if here is s else np.exp(-s), phi + psi_0
-            rows[:3, part >= table.extinction] = 0.0
+            gone = part >= table.extinction
+            rows[:3, gone], rows[3, gone] = 0.0, np.nan
         return out

@@ -9,15 +9,16 @@ from dataclasses import dataclass, fields, replace
 from math import floor, log10
 from typing import Any
 
+from asymptotics.frames import BARE, Frame
 from asymptotics.numbers.value import Coefficient, number_of, rounded
 from asymptotics.present.shown import Page, Shown
 
-UNITS = {"t": "s", "x": "m", "v": "m/s", "amplitude": "m", "phase": "rad"}
+_TOLD = ("x", "v", "amplitude", "phase", "error")
 
 
 @dataclass(frozen=True, repr=False)
 class MotionPoint(Shown):
-    """The motion at one time, SI units, decimals as strings.
+    """The motion at one time, in the units of its frame, decimals as strings.
 
     ``amplitude``, ``phase`` (psi - tau), ``order`` and ``gauge`` are None for reference and exact motion.  ``error``
     bounds what is printed of x: proved if ``certified``, else an estimate (see ``method``).
@@ -33,11 +34,11 @@ class MotionPoint(Shown):
     error: str
     certified: bool
     notes: tuple[str, ...] = ()
-    unit: str = "m"
+    frame: Frame = BARE
 
     def to_dict(self) -> dict[str, Any]:
         """The state as a JSON-ready mapping: decimals are strings."""
-        return {f.name: _plain(getattr(self, f.name)) for f in fields(self) if f.name != "unit"}
+        return {f.name: _plain(getattr(self, f.name)) for f in fields(self) if f.name != "frame"}
 
     def noted(self, notes: tuple[str, ...]) -> "MotionPoint":
         """The same with more notes."""
@@ -55,15 +56,14 @@ class MotionPoint(Shown):
         return number_of(self, name)
 
     def _page(self) -> Page:
-        named = {name: unit.replace("m", self.unit) for name, unit in (UNITS | {"error": "m"}).items() if name != "t"}
-        rows = tuple((n, f"{getattr(self, n)} {unit}") for n, unit in named.items() if getattr(self, n) is not None)
+        told = {name: self.frame.told(name, getattr(self, name)) for name in _TOLD if getattr(self, name) is not None}
         order = "" if self.order is None else f", order {self.order}, gauge {self.gauge}"
         worth = f"{'certified' if self.certified else 'estimate'} ({self.method}{order})"
-        title = f"x = {self.x} {self.unit}, v = {self.v} {self.unit}/s, error {self.error} {self.unit}"
-        return Page(title, (worth, *self.notes), ("", "value"), rows)
+        title = f"x = {told['x']}, v = {told['v']}, error {told['error']}"
+        return Page(title, (worth, *self.notes), ("", "value"), tuple(told.items()))
 
     def _formula(self) -> str:
-        return rf"x = {self.x}\,\mathrm{{{self.unit}}},\quad \dot x = {self.v}\,\mathrm{{{self.unit}/s}}"
+        return rf"x = {self.frame.latex('x', self.x)},\quad \dot x = {self.frame.latex('v', self.v)}"
 
 
 def _known_digits(x: str, error: str) -> int:

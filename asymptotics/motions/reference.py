@@ -41,6 +41,7 @@ from asymptotics.flow.wells.force import WellForce
 from asymptotics.flow.wells.force import estimated_seconds as estimated_in_well
 from asymptotics.flow.wells.rational_stops import rational_stops
 from asymptotics.flow.wells.trapping_regions import require_inside
+from asymptotics.frames import frame_of
 from asymptotics.law import Oscillator
 from asymptotics.motions import coulomb, linear, quadratic
 from asymptotics.motions.certify import certified_values, half_unit, time_of
@@ -99,8 +100,8 @@ def _by_the_flow(oscillator: Oscillator, t: ExactReal, digits: int, static: Numb
     if static is not None:
         raise InputError("static", "it belongs to dry friction alone", "the law alpha = 0, b > 0")
     x, v = _decimals(oscillator, t, digits)
-    notes, unit = oscillator.law.notes, oscillator.unit
-    return MotionPoint(x, v, None, None, None, None, _method(oscillator), half_unit(x, digits), True, notes, unit)
+    notes, frame = oscillator.law.notes, frame_of(oscillator)
+    return MotionPoint(x, v, None, None, None, None, _method(oscillator), half_unit(x, digits), True, notes, frame)
 
 
 ROUTES = (coulomb.ROUTE, linear.ROUTE, quadratic.ROUTE, StateRoute(("interpolated", "stepping"), _by_the_flow))

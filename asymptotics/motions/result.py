@@ -2,7 +2,7 @@
 
 >>> samples = MotionSamples(*np.zeros((5, 2)), 1, "turning-point", 0, 0, None, ())
 >>> samples, samples.header()
-(MotionSamples(2 times, order 1, gauge turning-point), ['t [s]', 'x [m]', 'v [m/s]', 'amplitude [m]', 'phase [rad]'])
+(MotionSamples(2 times, order 1, gauge turning-point), ['tau', 'x', 'v', 'amplitude', 'phase'])
 """
 
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from asymptotics.motions.point import UNITS
+from asymptotics.frames import BARE, Frame
 from asymptotics.numbers.alike import Alike
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.inputs import csv_text
@@ -18,12 +18,10 @@ from asymptotics.present.shown import Page, Rows
 
 Array = Any
 
-DIMENSIONLESS = {"t": "tau"}
-
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MotionSamples(Alike, Rows, Drawn):
-    """The motion at many times, doubles; all arrays have the shape of ``t``.  SI units, or none where ``si`` is False.
+    """The motion at many times, doubles; all arrays have the shape of ``t``.  in the units of ``frame``.
 
     ``missing`` counts the times that are NaN (their places hold NaN); ``extinct`` counts those beyond the fictitious
     extinction time ``extinction`` (in s; None if there is none), where the averaged amplitude is 0: x = v = 0 there.
@@ -40,8 +38,7 @@ class MotionSamples(Alike, Rows, Drawn):
     extinct: int
     extinction: float | None
     notes: tuple[str, ...]
-    si: bool = True
-    unit: str = "m"
+    frame: Frame = BARE
 
     def columns(self) -> dict[str, Array]:
         """The arrays by name; reference motion has no amplitude and phase."""
@@ -50,16 +47,14 @@ class MotionSamples(Alike, Rows, Drawn):
 
     def header(self) -> list[str]:
         """The names of the columns with their units; tau, x, ... where there are none."""
-        if not self.si:
-            return [DIMENSIONLESS.get(name, name) for name in self.columns()]
-        return [f"{name} [{UNITS[name].replace('m', self.unit)}]" for name in self.columns()]
+        return [self.frame.named(name) for name in self.columns()]
 
     def _heading(self) -> str:
         return repr(self)
 
     def _curve(self, axes: Any, **style: Any) -> None:
         axes.plot(np.ravel(self.t), np.ravel(self.x), **style)
-        axes.set(xlabel="t (s)" if self.si else r"$\tau = \omega_0 t$", ylabel=f"x ({self.unit})" if self.si else "x")
+        axes.set(xlabel=self.frame.axis("t"), ylabel=self.frame.axis("x"))
 
     def _table(self) -> dict[str, Array]:
         return {head: np.ravel(c) for head, c in zip(self.header(), self.columns().values())}

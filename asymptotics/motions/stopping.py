@@ -41,7 +41,7 @@ class FlowInDoubles(Protocol):
 
     @property
     def frame(self) -> Any:
-        """Strengths, grading and start (``motions.frame``)."""
+        """Strengths, grading and start (``motions.truncation``)."""
 
     def slow(self, tau_max: float) -> SlowTable:
         """The table of the slow flow."""

@@ -25,7 +25,7 @@ from operator import mul
 
 from flint import arb, fmpq
 
-from asymptotics.errors import InputError, shown
+from asymptotics.errors import AbsentError, InputError, shown
 from asymptotics.numbers.context import ctx, inside
 from asymptotics.numbers.integers import require_integer, shown_text
 from asymptotics.numbers.quantities import unit_behind
@@ -115,9 +115,9 @@ class ExactReal(Shown):
 
     @property
     def rational(self) -> Fraction:
-        """The number as a Fraction; InputError if it is irrational."""
+        """The number as a Fraction; AbsentError if it is irrational."""
         if not self.is_rational:
-            raise InputError("number", f"{self} is irrational", "a rational number")
+            raise AbsentError("number", f"{self} is irrational", "a rational number")
         return self.coefficient
 
     @inside

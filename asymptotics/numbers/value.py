@@ -26,13 +26,14 @@ from flint import arb
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.decimals import rational_decimal
 from asymptotics.numbers.digits import ball_of, interval_of, spread
-from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.policy import exact_integer, exact_number
 from asymptotics.numbers.rationals import decimal_fraction
 from asymptotics.present.shown import Page, Shown
 
 if TYPE_CHECKING:
     from sympy import Expr
 
+_MAX_POWER = 1000  # a choice: more leaves no digit of most numbers
 # SymPy and mpmath are loaded by who asks for them: a table of digits takes less time than either.
 
 
@@ -50,10 +51,19 @@ class Coefficient(Shown):
         if self.expression is not None and not _is_expression(self.expression):
             raise InputError("expression", f"{shown(self.expression)} is not SymPy's", "a SymPy expression, or None")
 
+    def __getattr__(self, name: str) -> Any:
+        made = self.__dict__.get("_made") if name == "expression" else None
+        if made is None:
+            raise AttributeError(f"a Coefficient has no {name}")
+        # Kept, as any field is.
+        self.__dict__["expression"] = found = made()
+        return found
+
     @property
     def exact(self) -> str | None:
         """The exact form as text that SymPy reads."""
-        return None if self.expression is None else str(self.expression)
+        text: str | None = self.__dict__.get("_exact")
+        return text if text is not None or self.expression is None else str(self.expression)
 
     @property
     def is_zero(self) -> bool:
@@ -137,6 +147,13 @@ class Coefficient(Shown):
     def __neg__(self) -> Any:
         return 0 - self
 
+    def __pow__(self, n: int) -> Any:
+        power = exact_integer(n, "power", -_MAX_POWER, _MAX_POWER)
+        return self._combined(1, lambda a, one: a**power if power >= 0 else _quotient(one, a**-power))
+
+    def __abs__(self) -> Any:
+        return self._combined(0, lambda a, _: abs(a))
+
     __radd__, __rmul__ = __add__, __mul__
 
     def __float__(self) -> float:
@@ -151,7 +168,7 @@ class Coefficient(Shown):
 
     def _page(self) -> Page:
         claim = "correctly rounded" if self.value is not None else "a function of the exponent"
-        exact = () if self.expression is None or self.value is None else (f"= {self.exact}",)
+        exact = () if self.exact is None or self.value is None else (f"= {self.exact}",)
         return Page(str(self), (*exact, claim, *self.notes))
 
     def _formula(self) -> str:
@@ -160,6 +177,20 @@ class Coefficient(Shown):
         from sympy import latex  # noqa: PLC0415 (SymPy)
 
         return str(latex(self.expression))
+
+
+def with_text(value: str, exact: str, made: "Callable[[], Expr]") -> Coefficient:
+    """Digits with the exact form as text, which must be that of the expression: SymPy makes it when it is asked for.
+
+    >>> import sympy
+    >>> c = with_text("0.318", "1/pi", lambda: 1 / sympy.pi)
+    >>> c.exact, "expression" in vars(c), c.expression, c == Coefficient("0.318", 1 / sympy.pi)
+    ('1/pi', False, 1/pi, True)
+    """
+    found = Coefficient(value, None)
+    del found.__dict__["expression"]
+    found.__dict__.update(_exact=exact, _made=made)
+    return found
 
 
 def _is_expression(value: object) -> bool:

@@ -101,6 +101,7 @@ class limited:  # noqa: N801 (used as a context manager, as ``suppress`` and ``c
 
 
 _OPENING = {getattr(kind, name).__code__ for kind in (*context.DOORS, limited) for name in ("__enter__", "__exit__")}
+_OURS = {"asymptotics", "derivations", "paper_checks"}
 _ringing: list[bool] = []
 _rung: list[bool] = []
 _collected: list[bool] = []
@@ -115,7 +116,8 @@ def _ring(number: int, frame: FrameType | None) -> None:
     """A ``tick`` every quarter of a second, until the end: whoever catches the first LimitError gets another.
 
     A door must not be left half-open: nothing rings while one is opened or closed (who waits there ticks itself), nor
-    while the collector runs, which would swallow the error and print it.
+    while the collector runs, which would swallow the error and print it, nor while a library is imported, which would
+    stay half-loaded for as long as the process lives.
     """
     # _ringing: neither the look at the stack nor the tick of one alarm is interrupted by the next; on a slow machine
     # alarms inside alarms would fill the stack.
@@ -123,7 +125,7 @@ def _ring(number: int, frame: FrameType | None) -> None:
         return
     try:
         _ringing.append(True)
-        if not is_lost(frame) and not _opens(frame):
+        if not is_lost(frame) and not _opens(frame) and not _imports(frame):
             tick()
     except LimitError:
         _rung.append(True)
@@ -136,6 +138,18 @@ def _opens(frame: FrameType | None) -> bool:
     """Whether a door, or a time limit, is being opened or closed there."""
     while frame is not None:
         if frame.f_code in _OPENING:
+            return True
+        frame = frame.f_back
+    return False
+
+
+def _imports(frame: FrameType | None) -> bool:
+    """Whether a library of others is being imported there: the import stands between the frame and our own code.
+
+    Ours is stopped: a derivation is proved while its module is imported.
+    """
+    while frame is not None and str(frame.f_globals.get("__name__")).partition(".")[0] not in _OURS:
+        if frame.f_code.co_filename == "<frozen importlib._bootstrap>":
             return True
         frame = frame.f_back
     return False

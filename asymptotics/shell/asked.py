@@ -8,6 +8,7 @@ from typing import Any, NoReturn
 
 import asymptotics
 from asymptotics.ask.answers import Part, Request
+from asymptotics.ask.page import page_of
 from asymptotics.ask.question import Question
 from asymptotics.ask.registry import loaded
 from asymptotics.errors import InputError
@@ -88,7 +89,7 @@ class Command:
         """What was asked, with all that can be refused before the work, and how the result is shown."""
         offers = self.question.offers
         # What has an own way to write reads its other files itself.
-        own = {name: getattr(options, name, None) for name in ("plot", "certificate")}
+        own = {name: getattr(options, name, None) for name in ("plot", "html", "certificate")}
         files = read_files(options if offers.show is None else argparse.Namespace(**own))
         if offers.reads:  # a file of data must not be overwritten by a picture of it, whichever of several it is
             for name in read_words(getattr(options, offers.reads)):
@@ -103,6 +104,7 @@ class Command:
             proof = _Proof.of(offers.certificate, request, files, found)
             data, text = show(found)
             drawing: Makers = {"--plot": picture_maker(options, lambda: [found])} if offers.picture else {}
+            drawing["--html"] = lambda _: self._page(request, found)
             more = write_files(files | proof.checker, drawing | proof.makers)
             text = "\n".join([text, *more, *proof.told])
             return Answer(data | proof.data, text, options.json, bool(offers.failed(found, request)))
@@ -112,9 +114,7 @@ class Command:
     def _shown(self, request: Request, files: dict[str, Path], found: Any) -> Answer:
         offers, options = self.question.offers, request.options
         makers: Makers = {"--csv": lambda _: offers.as_csv(found, request)}
-        if offers.page is not None:
-            page = offers.page
-            makers["--html"] = lambda _: page(found, request)
+        makers["--html"] = lambda _: self._page(request, found)
         if offers.picture:
             style = offers.style(found, request) if options.plot else {}
             makers["--plot"] = picture_maker(options, lambda: offers.drawn(found, request), **style)
@@ -124,6 +124,11 @@ class Command:
             written = write_files(files, makers, options if offers.again is not None else None, self.question)
         answer = self._answer(request, found, written)
         return replace(answer, data=answer.data | proof.data, text="\n".join([answer.text, *proof.told]))
+
+    def _page(self, request: Request, found: Any) -> str:
+        if self.question.offers.page is not None:
+            return str(self.question.offers.page(found, request))
+        return page_of(self.question, request, found, self.question.told(request.options))
 
     def _with_rows(self, request: Request, files: dict[str, Path], found: Any, rows: Any) -> Answer | None:
         """The answer with the rows of its table that were done when the time was over; half a picture is none."""

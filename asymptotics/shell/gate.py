@@ -47,4 +47,15 @@ def typed(options: argparse.Namespace) -> argparse.Namespace:
         parts = value if isinstance(value, list) else [value]
         if not all(part is None or isinstance(part, str | bool) for part in parts):
             raise InputError(f"--{name.replace('_', '-')}", f"{shown(value)} is no text", "see --help")
+        if not all(_is_whole(part) for part in parts if isinstance(part, str)):
+            raise InputError(name, f"{shown(value)} has half a character", "see --help")
     return options
+
+
+def _is_whole(text: str) -> bool:
+    """Whether a text may be the name of a file: no half of a surrogate pair but those that Python makes of bytes."""
+    try:
+        text.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        return False
+    return True

@@ -185,8 +185,8 @@ def as_option(
     options that may have set a parameter.
 
     >>> line = argparse.Namespace(alpha=None, damping="-1", law=["2:-1"])
-    >>> feeds = {"b": ("law", "damping")}
-    >>> str(as_option(InputError("b", "-1 is negative", "b >= 0"), line, feeds=feeds))
+    >>> feeds = {"strength": ("law", "damping")}
+    >>> str(as_option(InputError("strength", "-1 is negative", "b >= 0"), line, feeds=feeds))
     'argument --law: -1 is negative (accepted: b >= 0)'
     >>> as_option(InputError("table", "is gone", "a file"), argparse.Namespace(table="a"), {"table": "--from"}).argument
     '--from'

@@ -14,7 +14,7 @@ from typing import Any
 
 from flint import arb
 
-from asymptotics.errors import InputError, shown
+from asymptotics.errors import AbsentError, InputError, shown
 from asymptotics.frames import BARE, Frame, frame_of
 from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
@@ -66,7 +66,7 @@ class TurningPoint(Shown):
     def _time(self, name: str) -> str | None:
         if name != self.frame.time:
             units = f"in {self.frame.x} and {self.frame.t}" if self.frame.t else "without units"
-            raise InputError(name, f"this turning point is {units}", self.frame.time)
+            raise AbsentError(name, f"this turning point is {units}", self.frame.time)
         return self.time
 
     @property

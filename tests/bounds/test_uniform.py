@@ -14,8 +14,8 @@ from asymptotics.bounds.waveform import waveform_bounds
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
-from asymptotics.motions.frame import Frame
 from asymptotics.motions.reference import reference_states
+from asymptotics.motions.truncation import Truncation
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.series import Series
 
@@ -191,11 +191,11 @@ def test_the_rates_are_attained_or_not_far_off(alphas, delta):
 
 @pytest.mark.parametrize(("exponent", "strength"), [("2", "1/5"), ("1", "1/10"), ("1/2", "1/10")])
 def test_a_start_in_motion_has_its_amplitude_in_the_ball(exponent, strength):
-    """A_0 of order 3 by Newton's method (``motions.frame``); the ball reaches at most four times as far from 1."""
+    """A_0 of order 3 by Newton's method (``motions.truncation``); the ball reaches at most four times as far from 1."""
     oscillator = Oscillator({exponent: strength}, x0=1, v0=-1)
     whole = theorem(None, 3, oscillator)
     with ctx.workprec(80):
-        frame = Frame.of(oscillator, 3, "turning-point")
+        frame = Truncation.of(oscillator, 3, "turning-point")
         true = (-frame.start(AsymptoticMotion.of(oscillator)._doubles.guess).s).exp()
         A, d = whole._start(moving=True)
         assert A.contains(true)

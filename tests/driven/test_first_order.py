@@ -102,7 +102,7 @@ def test_half_power_of_an_actual_curve():
 @pytest.mark.parametrize(
     ("law", "force", "omega", "argument"),
     [
-        ({2: 1}, 0, 1, "force"), ({2: 1}, 1, -1, "omega"), ({2: 0}, 1, 1, "law"), ({2: -1}, 1, 1, "b"),
+        ({2: 1}, 0, 1, "force"), ({2: 1}, 1, -1, "omega"), ({2: 0}, 1, 1, "law"), ({2: -1}, 1, 1, "strength"),
         ({(1, 2): 1}, 1, 1, "law"), ({0: 1, 2: 1}, 1, 2, "force"),
     ],
 )  # fmt: skip

@@ -248,8 +248,9 @@ def test_small_amplitudes_are_those_of_the_linear_spring():
     ("law", "spring", "rest", "argument"),
     [
         ({2: 1}, {2: 1}, {}, "spring"), ({2: 1}, {3: 1, 5: 1}, {}, "spring"), ({2: 1}, {(3, 2): 1}, {}, "spring"),
-        ({(1, 1): 1}, "pendulum", {}, "law"), ({2: 1}, "pendulum", {"v0": 1}, "v0"), ({2: -1}, "pendulum", {}, "b"),
-        ({2: 1}, "pendulum", {"x0": "22/7"}, "x0"), ({2: 1}, {3: -1}, {}, "x0"), ({2: 1}, {3: "-1/4"}, {"x0": 2}, "x0"),
+        ({(1, 1): 1}, "pendulum", {}, "law"), ({2: 1}, "pendulum", {"v0": 1}, "v0"),
+        ({2: -1}, "pendulum", {}, "strength"), ({2: 1}, "pendulum", {"x0": "22/7"}, "x0"),
+        ({2: 1}, {3: -1}, {}, "x0"), ({2: 1}, {3: "-1/4"}, {"x0": 2}, "x0"),
     ],
 )  # fmt: skip
 def test_what_is_not_known_is_refused_by_name(law, spring, rest, argument):

@@ -5,6 +5,7 @@ import pytest
 import sympy
 
 from asymptotics.equivalent.symbolic import ALPHA, MASS, NAMES, STIFFNESS, A, closed_forms, symbolic_exponent
+from asymptotics.frames import Frame
 from asymptotics.law import Law
 
 LAWS = [
@@ -13,6 +14,8 @@ LAWS = [
     ({2: 1}, {3: 1}), ({(1, 2): 1}, {3: 1}), ({"1/2": 1}, {3: 1}), ({2: 1}, {2: 1}), ({(1, 1): 1}, "pendulum"),
 ]  # fmt: skip
 M, K, C, PLACE = 1.5, 2.0, 0.7, 0.8
+
+SI = Frame("m", "s")
 
 
 def numbers(forms, digits=20):
@@ -55,7 +58,7 @@ def by_quadrature(law, spring, place):
 @pytest.mark.parametrize(("losses", "spring"), LAWS, ids=str)
 def test_the_closed_forms_are_their_definitions(losses, spring):
     law = Law(losses, spring=spring)
-    found = numbers(closed_forms(law.terms, si=True) | {"half_life": sympy.Integer(1)}, 12)
+    found = numbers(closed_forms(law.terms, SI) | {"half_life": sympy.Integer(1)}, 12)
     *expected, _ = by_quadrature(law, spring, PLACE)
     for name, value in zip(NAMES, expected):
         assert found[name] == pytest.approx(float(value), rel=1e-6), name
@@ -64,7 +67,7 @@ def test_the_closed_forms_are_their_definitions(losses, spring):
 @pytest.mark.parametrize(("losses", "spring"), [LAWS[i] for i in (0, 1, 2, 3, 6, 7)], ids=str)
 def test_the_half_life_is_the_integral_of_the_rate(losses, spring):
     law = Law(losses, spring=spring)
-    found = numbers(closed_forms(law.terms, si=True))["half_life"]
+    found = numbers(closed_forms(law.terms, SI))["half_life"]
     with mpmath.workdps(10):
         rate = lambda a: 1 / by_quadrature(law, spring, a)[-1]  # noqa: E731
         expected = mpmath.quad(rate, [PLACE / 2, PLACE], method="gauss-legendre", maxdegree=2)
@@ -72,15 +75,15 @@ def test_the_half_life_is_the_integral_of_the_rate(losses, spring):
 
 
 def test_a_symbol_for_the_exponent_gives_each_law():
-    forms = symbolic_exponent(si=True)
+    forms = symbolic_exponent(SI)
     for alpha in (0, 3):
-        own = numbers(closed_forms(Law({alpha: 1}).terms, si=True))
+        own = numbers(closed_forms(Law({alpha: 1}).terms, SI))
         assert numbers({n: e.subs(ALPHA, alpha) for n, e in forms.items()}) == pytest.approx(own, rel=1e-12)
 
 
 def test_near_misses_are_seen():
     """Energy in place of its double, and the decrement of a half-swing, are off by two."""
-    forms = numbers(closed_forms(Law({2: 1}).terms, si=True))
+    forms = numbers(closed_forms(Law({2: 1}).terms, SI))
     zeta, quality, decrement, *_ = by_quadrature(Law({2: 1}), None, PLACE)
     assert forms["zeta"] != pytest.approx(float(2 * zeta)) and forms["decrement"] != pytest.approx(float(decrement / 2))
     assert forms["Q"] == pytest.approx(float(quality)) and forms["Q"] != pytest.approx(float(1 / zeta))

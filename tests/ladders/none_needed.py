@@ -28,9 +28,11 @@ NONE_NEEDED: Names = {
     **each("decays.identification.certified_sets.table_rows", "RatioInequality.local exact rows_of", EXACT),
     **each("motions.doubles", "Doubles.of", MIDPOINTS),
     **each(
-        "motions.frame", "Frame.of Frame.terms Frame.monomial Frame.start Frame.turning_point Frame.reach", MIDPOINTS
+        "motions.truncation",
+        "Truncation.of Truncation.terms Truncation.monomial Truncation.start Truncation.turning_point Truncation.reach",
+        MIDPOINTS,
     ),
-    **each("motions.frame", "Frame.neglected Frame.state State.turning_point State.point", MIDPOINTS),
+    **each("motions.truncation", "Truncation.neglected Truncation.state State.turning_point State.point", MIDPOINTS),
     **each("motions.stopping", "friction_arc", MIDPOINTS),
     **each("motions.waveform", "waveform_at", MIDPOINTS),
     **each("flow.linear_spring.turning_point", "reach_at", CHOICE),
@@ -44,7 +46,7 @@ NONE_NEEDED: Names = {
         "PolynomialForce.at PolynomialForce.slopes PolynomialForce.bends",
         EXACT,
     ),
-    **each("certificates.series", "Series.at from_rest in_motion", TRIED),
+    **each("certificates.series", "PowerSeries.at from_rest in_motion", TRIED),
     **each("certificates.layout", "landing", TRIED),
     **each("certificates.known", "known_before known_turning_points", TRIED),
     **each("flow.times", "NearRest.reach NearRest.state NearRest.acceleration NearRest.moved", "abstract"),
@@ -105,8 +107,10 @@ NONE_NEEDED: Names = {
     **each("flow.wells.even_well", "EvenWell.of", "Force.of for a law"),
     **each("flow.damping", "Damping.slopes Damping.least_power", EXACT),
     **each("flow.wells.expansion", "reach_at", CHOICE),
+    **each("flow.wells.expansion", "WellExpansion.gathered", "itself"),
     **each("flow.secant", "secant", CHOICE),
     **each("flow.wells.turning_point", "without_loss", CHOICE),
     **each("flow.taylor", "sizes", EXACT),
+    **each("flow.growing_product", "GrowingProduct.last", EXACT),
 }
 """Function -> the reason."""

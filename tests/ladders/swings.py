@@ -52,7 +52,13 @@ def near(center, error):
 
 
 def expanded(pairs, w="0.03125"):
-    return lambda x: TurningExpansion.at(law(pairs), x, arb(w)).state(arb(w))
+    """At one speed, and as for many."""
+
+    def value(x):
+        found = TurningExpansion.at(law(pairs), x, arb(w))
+        return [*found.state(arb(w)), *found.gathered.state(arb(w))]
+
+    return value
 
 
 def landed(x):
@@ -167,7 +173,7 @@ def many(names, room=SPRING):
 
 LAW = many("damping.Damping.of damping.Damping.terms damping.Damping.resistance", FLOW)
 EXPANSION, STEP = (
-    many("expansion.TurningExpansion.at expansion.TurningExpansion.state"),
+    many("expansion.TurningExpansion.at expansion.TurningExpansion.state expansion.TurningExpansion.gathered"),
     many("at shortened state", "asymptotics.flow.taylor.TaylorStep."),
 )
 OWN = (
@@ -190,7 +196,7 @@ TRANSFORM = "asymptotics.expansions.half_swings.node_transform.NodeTransform."
 
 PIECES = [
     Ladder(LAW, lambda x: [law(SUM).resistance(x), *law(SUM).terms(x)], stretch=4),
-    *(Ladder(EXPANSION, expanded(p), lost=14, stretch=3, rungs=(10, 20, 40, 80), truth=120) for p in (ROOT, SUM, SLOW)),
+    *(Ladder(EXPANSION, expanded(p), lost=14, stretch=4, rungs=(10, 20, 40, 80), truth=120) for p in (ROOT, SUM, SLOW)),
     Ladder(many("turning_point.arrive"), landed, "-0.9", 14, 6, **DEAR),
     *(Ladder(STEP, stepped(p), lost=14) for p in (ROOT, SUM, SLOW)),
     *(

@@ -6,7 +6,7 @@ import pytest
 import sympy
 from flint import arb
 
-from asymptotics.curves.motions import Reference
+from asymptotics.curves.motions import reference
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.law import Law, Oscillator
 from asymptotics.motions import coulomb
@@ -63,9 +63,9 @@ def test_a_time_that_may_be_before_the_stop_is_undecided(monkeypatch):
 def test_dry_friction_beside_a_law_of_strength_0_is_dry_friction_alone(law):
     """At one time, as a table, with its events and with a static force, whichever term stands first."""
     for static in (None, "2/5"):
-        alone, beside = (Reference(Oscillator(one), static) for one in ({0: "1/10"}, law))
+        alone, beside = (reference(Oscillator(one), static=static) for one in ({0: "1/10"}, law))
         assert beside.at(8).x == alone.at(8).x
         assert beside.sample([1, 8, 30]).x.tolist() == alone.sample([1, 8, 30]).x.tolist()
-    assert Reference(Oscillator(law)).events(30).stop == pytest.approx(float(5 * sympy.pi), rel=1e-12)
-    free = Reference(Oscillator({0: "1/10"}, spring={3: 0}))  # a spring, though it does nothing: by the flow
+    assert reference(Oscillator(law)).events(30).stop == pytest.approx(float(5 * sympy.pi), rel=1e-12)
+    free = reference(Oscillator({0: "1/10"}, spring={3: 0}))  # a spring, though it does nothing: by the flow
     assert free.sample([7]).x[0] == pytest.approx(float(free.at(7).x), rel=1e-13)

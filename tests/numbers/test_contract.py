@@ -52,21 +52,13 @@ DIGITS = {
     "half_swing_coefficients": lambda d: half_swing_coefficients(TWO, 2, d),
     "symbolic_coefficients": lambda d: symbolic_coefficients(2, "turning-point", d),
     "build": lambda d: build("smith2012.table1", d),
-    "api moment": lambda d: asymptotics.moment(2, digits=d),
     "api moment 1/2": lambda d: asymptotics.moment("1/2", digits=d),
-    "api turning_points": lambda d: asymptotics.turning_points(LAW, 2, digits=d),
-    "api table": lambda d: asymptotics.table("smith2012.table1", digits=d),
     "certified_slow_time": lambda d: certified_slow_time(ExactReal(Fraction(3, 2)), 2, d),
     "envelope_series": lambda d: asymptotics.envelope(AIR).series(2, digits=d),
     "api Envelope.amplitude": lambda d: asymptotics.envelope(AIR).amplitude(1, digits=d),
-    "api half_swing": lambda d: asymptotics.half_swing(2, digits=d),
     "api S": lambda d: asymptotics.S(1, 0, digits=d),
     "api T": lambda d: asymptotics.T(1, "-1/4", digits=d),
     "api radii": lambda d: asymptotics.radii("1/2", digits=d),
-    "api response": lambda d: asymptotics.response({1: "1/10"}, "1/5", "3/4", digits=d),
-    "api stokes": lambda d: asymptotics.stokes(0, digits=d),
-    "api damping": lambda d: asymptotics.damping({2: "1/10"}, 1, motion=False, digits=d),
-    "api limit_cycle": lambda d: asymptotics.limit_cycle({1: -1, (1, 2): 1}, order=2, digits=d),
     "api Motion.at": lambda d: asymptotics.motion(AIR).at(1, digits=0 if d is None else d),
 }
 ORDERS = {
@@ -79,17 +71,13 @@ ORDERS = {
     "api expand": lambda n: asymptotics.expand(2, order=n),
     "api motion": lambda n: asymptotics.motion(AIR, order=n),
     "api multiple_scales": lambda n: asymptotics.multiple_scales(3, order=n),
-    "api half_swing": lambda n: asymptotics.half_swing(2, order=n),
 }
 COUNTS = {
     "turning_points": lambda n: turning_points(LAW, n, 5),
-    "api turning_points": lambda n: asymptotics.turning_points(LAW, n),
     "coefficients": coefficients,
 }
 STARTS = {  # 0 is one of them
-    "api limit_cycle": lambda n: asymptotics.limit_cycle({1: -1, (1, 2): 1}, order=n),
     "turning_points": lambda n: turning_points(LAW, 1, 5, start=n),
-    "api turning_points": lambda n: asymptotics.turning_points(LAW, 1, start=n),
     "generating_function": generating_function,
 }
 NEVER = (-1, 10**40, 2.5, float("nan"), True, None, "x", [], 1j, object())

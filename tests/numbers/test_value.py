@@ -59,6 +59,17 @@ def test_a_symbolic_coefficient_has_no_digits():
             refused()
 
 
+def test_powers_and_sizes_contain_the_truth():
+    found = Coefficient("-0.3333", None)
+    for n in (0, 1, 2, 3, -1, -2):
+        power = found**n
+        assert power.a <= mpmath.mpf(-1) ** n / 3**n <= power.b and power.delta <= mpmath.mpf("0.01")
+    assert abs(found).a <= mpmath.mpf(1) / 3 <= abs(found).b and abs(found).a > 0
+    for base, n in ((found, 0.5), (found, 10**9), (Coefficient("0", None), -1)):
+        with pytest.raises(InputError):
+            base**n
+
+
 def test_zero_is_zero_by_theorem_only():
     zeros = [Coefficient("0", None), Coefficient(None, sympy.Integer(0)), Coefficient("0", sympy.Integer(0))]
     others = [Coefficient("0.0", None), Coefficient(None, sympy.Symbol("alpha")), Coefficient("1", sympy.Integer(1))]

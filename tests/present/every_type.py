@@ -6,19 +6,22 @@ True
 
 import inspect
 import typing
+from collections.abc import Callable
 from dataclasses import is_dataclass
 from functools import cache
+from typing import Any
 
 import sympy
 
 import asymptotics as asy
+from tests.every_question import IN_PYTHON, call_of, usual
 
 PARTS = {  # what stands inside a result and is no answer of its own
     "bounds.local.LocalBounds": "the constants behind ExpansionBounds",
     "bounds.uniform.Displacement": "the constants behind ExpansionBounds",
     "decays.identification.inverse_damping.Problem": "what was asked, behind DampingLaw",
     "envelopes.laurent.LaurentEnvelope": "formulas behind EnvelopeSeries",
-    "series.Series": "arithmetic of series",
+    "series.PowerSeries": "arithmetic of series",
     "terms.Scaled": "a strength, printed as text",
     "terms.Units": "the units of Scaled",
     "expansions.equations.strengths.Strengths": "how an equation prints its strengths",
@@ -51,7 +54,7 @@ answer = asy.identify({"n": n, "x": (-1.0) ** n * 0.95**n + noise}, laws=["1", "
 SAMPLES = {
     "tables.validation.Validation": "asy.table('moments', alpha=1, digits=8).validate()",
     "curves.large.SpringEnvelope": "asy.envelope(asy.Oscillator({2: '1/20'}, spring='pendulum', x0=3))",
-    "curves.motions.Events": "motion.events(3)",
+    "curves.events.Events": "motion.events(3)",
     "curves.motions.Motion": "motion",
     "curves.motions.Reference": "asy.reference(osc)",
     "curves.shown_solution.SolutionPoint": "asy.solution({2: '1/10'}, order=3).at(7, digits=12)",
@@ -105,8 +108,6 @@ SAMPLES = {
     "tables.table.Table": "asy.table('smith2012.table1', digits=9)",
     "terms.Term": "osc.law.terms[0]",
     "turning.result.TurningPoint": "asy.turning_points({2: 1}, 3, digits=12, times=True).points[1]",
-    "driven.result.Response": "asy.response({2: '1/10'}, '1/5', 1, digits=8)",
-    "driven.first_numbers.FirstOrder": "asy.response({2: '1/10'}, '1/5', 1, digits=8).first_order",
     "frames.Frame": "points.frame",
     "turning.result.TurningPoints": "points.dimensionless",
     "certificates.certificate.Certificate": "points.certificate()",
@@ -116,6 +117,19 @@ SAMPLES = {
 
 def name_of(found: type) -> str:
     return f"{found.__module__.removeprefix('asymptotics.')}.{found.__qualname__}"
+
+
+def samples_of(call: Callable[..., Any]) -> dict[str, str]:
+    """What a question answers, by the example of its docstring, and the results that stand in its fields."""
+    given = usual(call)
+    kind = _hints(inspect.unwrap(call)).get("return")
+    if given is None or not isinstance(kind, type) or not kind.__module__.startswith("asymptotics"):
+        return {}
+    text = f"asy.{call.__name__}({', '.join(f'{name}={value!r}' for name, value in given.items())})"
+    fields = _hints(kind).items() if is_dataclass(kind) else ()
+    inner = {t: f"{text}.{field}" for field, hint in fields for t in (hint, *typing.get_args(hint))}
+    kinds = {t: path for t, path in inner.items() if isinstance(t, type) and t.__module__.startswith("asymptotics")}
+    return {name_of(t): path for t, path in {**kinds, kind: text}.items() if name_of(t) not in PARTS}
 
 
 @cache
@@ -134,6 +148,10 @@ def types() -> tuple[type, ...]:
 def _hints(thing: object) -> dict[str, object]:
     """The hints of a function or a class; SymPy is loaded late where it is only named."""
     return typing.get_type_hints(thing, localns={"Expr": sympy.Expr})
+
+
+for _name in IN_PYTHON:
+    SAMPLES = samples_of(call_of(_name)) | SAMPLES
 
 
 def _add(hint: object, seen: set[type]) -> None:

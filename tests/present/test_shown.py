@@ -1,5 +1,6 @@
 """Every result type shows itself: verdict or value first, every symbol defined, a few lines, rows as numbers."""
 
+import inspect
 import re
 import sys
 from html.parser import HTMLParser
@@ -84,6 +85,15 @@ def test_pages_start_with_the_verdict_and_say_what_it_is_worth(made):
         assert name in SAYINGS or CLAIM.search("\n".join([page.title, *page.lines])), f"{name}: {page}"
         assert "object at 0x" not in shown, name
         assert all(len(row) == len(page.head) for row in page.rows), name
+
+
+def test_a_program_may_look_at_every_result(made):
+    """``hasattr`` and ``inspect.getmembers`` meet no error: what a value has not, it has not."""
+    for found in made.values():
+        assert inspect.getmembers(found)
+    assert not hasattr(made["limit_cycles.result.LimitCycle"], "at")
+    assert hasattr(asy.turning_points({2: 1}, 2, times=True)[1], "tau")
+    assert not hasattr(asy.turning_points({2: 1}, 2, times=True)[1], "t")
 
 
 UNSET = re.compile(

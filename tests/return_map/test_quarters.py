@@ -219,6 +219,22 @@ def test_rates_that_are_off_are_seen():
         off, right = Path.along(grid, arb_mat(rates)), Path.along(grid, exact)
         assert e * arb(59).sqrt() <= off.differs * arb("1.001") and off.differs <= e * arb(59).sqrt() * arb("1.001")
         assert 0 < abs(off.ends[0] - right.ends[0]) < off.enclosed(1.5)[0].ln_r.rad()
+        # e^(2K) is 1 for so weak a loss: eta counts twice, and all that P differs by is in it.
+        more = off.enclosed(1.5)[0].ln_r.rad() - right.enclosed(1.5)[0].ln_r.rad()
+        assert float(more) == pytest.approx(float(2 * e * arb(59).sqrt()), rel=1e-2)
+
+
+def test_uncertain_coefficients_count():
+    """P is the polynomial of the midpoints: the radius of every kept coefficient is in what it differs by."""
+    e, m = 2.0**-40, 30
+    with ctx.workprec(84):
+        grid = NodeGrid.of(bundle_of((("2", "1/100000"),), 1), m)
+        exact = found(grid, 60)
+        wide = Path.along(grid, arb_mat([[x + arb(0, e)] for (x,) in exact.table()]))
+        radii = [float(row[0].rad()) for row in (analysis(m, 84) * arb_mat(m, 1, [arb(0, e)] * m)).table()]
+    assert all(0.5 * e < r < 2 * e for r in radii)
+    at_nodes = float(arb(2 * m - 1).sqrt()) * e
+    assert float(wide.differs) == pytest.approx(at_nodes + sum(radii[: wide.sizes.degree()]), rel=1e-2)
 
 
 def test_coefficients_that_are_dropped_count():

@@ -1,6 +1,5 @@
 """The options that all commands share: each command has one or says why not, and the docs have the same table."""
 
-import argparse
 import csv
 import json
 import subprocess
@@ -12,27 +11,23 @@ import pytest
 from asymptotics.ask.answers import COMMON
 from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.made_by import mark
-from asymptotics.shell.asked import command_of
-from asymptotics.shell.main import Parser, main
+from asymptotics.shell.main import main
+from tests.every_question import options_of
 
-SHOWN = ("csv", "plot", "latex", "points", "gauge", "digits")
-PAGE = Path(__file__).parents[2] / "docs/command_line.md"
+DOCS = Path(__file__).parents[2] / "docs"
+PAGE = DOCS / "command_line.md"
+sys.path.insert(0, str(DOCS / "extensions"))
+
+from common_options import MARK, SHOWN, tables  # noqa: E402 (a module of the docs)
 
 
 def lacks(command):
     return loaded(command).offers.lacks
 
 
-def options_of(command: str) -> set[str]:
-    module = command_of(command)
-    parser = Parser(prog=command)
-    module.configure(parser)
-    return {o[2:] for a in parser._actions if a.help != argparse.SUPPRESS for o in a.option_strings}
-
-
 @pytest.mark.parametrize("command", sorted(QUESTIONS))
 def test_each_common_option_is_there_or_says_why_not(command, capsys):
-    has = options_of(command) & set(COMMON)
+    has = {o[2:] for o in options_of(command)} & set(COMMON)
     assert has | set(lacks(command)) >= set(COMMON)
     assert not has & set(lacks(command))
     assert {"json", "quiet"} <= has
@@ -44,7 +39,8 @@ def test_each_common_option_is_there_or_says_why_not(command, capsys):
 
 
 def test_the_docs_have_the_table_and_the_reasons():
-    page = PAGE.read_text(encoding="utf-8")
+    page = tables()
+    assert MARK in PAGE.read_text(encoding="utf-8")
     for command in QUESTIONS:
         absent = lacks(command)
         row = " | ".join("–" if option in absent else "yes" for option in SHOWN)

@@ -89,6 +89,23 @@ def test_table_one_of_smith_has_two_wrong_digits(capsys, tmp_path):
     assert found["certified"] is True
 
 
+@pytest.mark.parametrize("written", ["10", "10.0", "1.000000000000000000e+01", "1e1", "20/2"])
+def test_a_key_is_a_number_however_it_is_written(capsys, tmp_path, written):
+    path = tmp_path / "mine.csv"
+    path.write_text(f"half_cycle,S_hat\n2.000e+00,0.098765\n{written},0.145888\n")
+    code, out, err = call(capsys, path, "--table", "smith2012.table1", "--json")
+    assert (code, err) == (0, "")
+    assert [row["marked"] for row in json.loads(out)["rows"]] == ["0.098765", "0.145888"]
+
+
+def test_a_key_that_counts_is_whole(capsys, tmp_path):
+    path = tmp_path / "mine.csv"
+    path.write_text("half_cycle,S_hat\n1.05e+00,0.1\n")
+    code, out, err = call(capsys, path, "--table", "smith2012.table1")
+    assert (code, out) == (2, "")
+    assert "no row for 1.05e+00" in err
+
+
 def test_coefficients_are_found_by_their_names(capsys, tmp_path):
     path = tmp_path / "mine.csv"
     path.write_text("alpha,coefficient,value\n3/2,p_1,0.4576558581\n2,Omega_2,-0.1666\n1.5,Omega_2,-0.2\n")

@@ -27,7 +27,9 @@ def loaded(*words):
     [
         ("turning-points --alpha 2 --epsilon 1/10 --count 3", set()),
         ("turning-points --alpha 3/2 --epsilon 1/10 --count 3 --times --json", set()),
-        ("moment --p 5/2", {"sympy", "mpmath"}),  # the closed form: what is loaded is seen
+        ("moment --p 5/2", set()),
+        ("moment --p 7 --json", set()),
+        ("moment --p sqrt(2)", {"sympy", "mpmath"}),  # the closed form: what is loaded is seen
         ("expand --alpha 3/2 --order 1", {"sympy", "mpmath"}),
     ],
 )

@@ -61,7 +61,9 @@ def _named(found: Comparison, request: Request) -> dict[str, Any]:
             "latex": "the rows are text; `--csv` writes them",
             "points": "the points are those of FILE",
         },
-    )
+    ),
+    example="{data} --alpha 2 --epsilon 1/10",
+    rests="the certified side: what the command of the same numbers rests on",
 )
 def compare(
     file: Annotated[Any, SOURCE],

@@ -8,7 +8,7 @@ from typing import Annotated, Any, cast
 from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import COMPUTED, FLAG, SECONDS, Kind, Option, digits, whole
 from asymptotics.ask.laws import LAW_FEEDS, SYMBOLIC, law_options, start_options, unit_options
-from asymptotics.ask.moving import Given, read_oscillator
+from asymptotics.ask.moving import read_oscillator
 from asymptotics.ask.question import question
 from asymptotics.ask.questions._damping_law import damping_law
 from asymptotics.equivalent.at_amplitudes import damping_at
@@ -16,8 +16,9 @@ from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import DRAWN
 from asymptotics.equivalent.symbolic import symbolic_exponent
 from asymptotics.errors import InputError, LimitError
+from asymptotics.frames import BARE
 from asymptotics.law import LawLike, Oscillator, SpringLike
-from asymptotics.law_given import law_of
+from asymptotics.law_given import Given, given_of, law_of
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
 
@@ -35,8 +36,8 @@ def _losing(value: Any, _name: str, spring: Any = None) -> Given | str:
     if isinstance(value, Oscillator):
         if spring is not None:
             raise InputError("spring", "it belongs to the oscillator", "Oscillator(..., spring=)")
-        return Given(value, si=True)
-    return Given(Oscillator(law_of(value), spring=spring), si=False)
+        return given_of(value)
+    return Given(Oscillator(law_of(value), spring=spring))
 
 
 def _losing_of_options(options: argparse.Namespace) -> Given | str:
@@ -88,7 +89,7 @@ def _require_together(request: Request) -> None:
         raise InputError("--quantity", f"{quantity[:40]!r} is unknown", ", ".join(DRAWN))
     if request["law"] == SYMBOLIC:
         _require_formulas_alone(request)
-    elif request["law"].si and request["amplitudes"] is None and request.typed("x0") is None:
+    elif request["law"].frame and request["amplitudes"] is None and request.typed("x0") is None:
         raise InputError("--amplitudes", "is missing", "turning amplitudes in m (rad of a pendulum), such as 0.2,0.1")
 
 
@@ -154,7 +155,9 @@ def _missing(found: EquivalentDamping, request: Request) -> tuple[int, str]:
         inverse=damping_law.__question__,  # type: ignore[attr-defined]
         again=AGAIN,
         lacks={"gauge": "what is observed is the same in every gauge", "points": "`--amplitudes` says which"},
-    )
+    ),
+    example="--alpha 2 --epsilon 1/10 --amplitudes 1 --digits 5",
+    rests="the energy of a half-swing, in balls, between certified turning points",
 )  # fmt: skip
 def damping(
     law: Annotated[LawLike | Oscillator | str, LOSING],
@@ -230,9 +233,9 @@ def damping(
     if isinstance(law, str):
         if amplitudes is not None or order is not None or unit:
             raise InputError("law", "a symbolic exponent has formulas only", "no amplitudes, order or spring beside it")
-        return EquivalentDamping(None, False, digits, None, symbolic_exponent(si=False), ())
+        return EquivalentDamping(None, BARE, digits, None, symbolic_exponent(BARE), ())
     given = cast("Given", law)
     taken = cast("tuple[ExactReal, ...] | None", amplitudes)
     return damping_at(
-        given.oscillator, taken, si=given.si, digits=digits, order=order, motion=motion, unit=unit
+        given.oscillator, taken, frame=given.frame, digits=digits, order=order, motion=motion, unit=unit
     )  # fmt: skip

@@ -111,6 +111,8 @@ _FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to 
         },
     ),
     alone=False,
+    example="q-log-q",
+    rests="each line decided by SymPy, most of them identities; asked of balls where they are inequalities",
 )
 def derive(
     name: Annotated[str | None, TEXT.called(place=True)] = None, *, max_seconds: Annotated[Number, SECONDS] = 60

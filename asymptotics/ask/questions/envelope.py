@@ -9,7 +9,7 @@ import sympy
 from asymptotics.ask.answers import Again, Offers, Request, read_points
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, digits, whole
 from asymptotics.ask.laws import MOVES
-from asymptotics.ask.moving import OVERLAY, TIME, Given, overlaid, require_stretch
+from asymptotics.ask.moving import OVERLAY, TIME, overlaid, require_stretch
 from asymptotics.ask.question import question
 from asymptotics.ask.registry import loaded
 from asymptotics.ask.typed import typed_options
@@ -24,6 +24,7 @@ from asymptotics.decays.comparison.run import Comparison
 from asymptotics.envelopes.symbolic import MEAN, SQUARING
 from asymptotics.errors import InputError
 from asymptotics.law import LawLike, Oscillator
+from asymptotics.law_given import Given
 from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
@@ -34,7 +35,7 @@ _ENDS = {  # what is told beside A and tau(A)
     "long_time_formula": "A/A(0) -> {} at long times",
     "extinction_formula": "A = 0 from tau = {} on",
 }
-_TOLD = {"period": "s", "extinction": "s", "time": "s", "amplitude": "m", "phase": "rad"}
+_TOLD = ("period", "extinction", "time", "amplitude", "phase")
 
 
 @dataclass(frozen=True)
@@ -66,8 +67,7 @@ class EnvelopeAtTime:
 
 
 def _data(found: EnvelopeAtTime, request: Request) -> dict[str, Any]:
-    units = "SI" if _given(request).si else None
-    return found.to_dict() | {"units": units, "files": [], "notes": list(found.curve.notes)}
+    return found.to_dict() | {"units": _given(request).frame.units, "files": [], "notes": list(found.curve.notes)}
 
 
 def _given(request: Request) -> Given:
@@ -79,12 +79,12 @@ def _text(found: EnvelopeAtTime, request: Request) -> str:
     head = "A/A(0) has no elementary form" if formulas["formula"] is None else f"A/A(0) = {formulas['formula']}"
     if found.period is not None:
         head = "A/A(0) by 2F1, exact in the spring"
-    lines = [f"{head}, tau = omega_0 t" if given.si else head]
+    lines = [f"{head}, tau = omega_0 t" if given.frame else head]
     lines += [] if formulas["time_formula"] is None else [f"tau(A) = {formulas['time_formula']}, A in units of A(0)"]
     lines += [told.format(formulas[name]) for name, told in _ENDS.items() if formulas[name] is not None]
     lines += [f"kappa_{i}    {kappa}" for i, kappa in enumerate(found.kappas, start=1)]
     values = {name: getattr(found, name) for name in _TOLD}
-    lines += [f"{n:10} {values[n]}{given.unit(unit)}" for n, unit in _TOLD.items() if values[n] is not None]
+    lines += [f"{n:10} {given.frame.told(n, text)}" for n, text in values.items() if text is not None]
     claim = "certified: true (for the averaged law)"
     if found.series is not None:
         lines.append(f"epsilon    {acting_term(given.oscillator).strength}")
@@ -98,8 +98,7 @@ def _besides(found: EnvelopeAtTime, request: Request) -> str:
     if request.typed("latex"):
         return ""
     slow, series = found.slow, found.series
-    unit = "" if slow is None else _given(request).unit("s" if slow.quantity == "time" else "m")
-    return "\n".join([*([] if slow is None else [slow.told(unit)]), *([] if series is None else [str(series)])])
+    return "\n".join([*([] if slow is None else [str(slow)]), *([] if series is None else [str(series)])])
 
 
 def _csv(found: EnvelopeAtTime, request: Request) -> str:
@@ -157,6 +156,7 @@ def _again(
         data=_data,
         text=_text,
         as_latex=lambda found, _: str(found.formulas["latex"]),
+        formula=lambda found, _: found.formulas["latex"] or "",
         as_csv=_csv,
         drawn=_drawn,
         style=_style,
@@ -167,6 +167,9 @@ def _again(
     ),
     name="envelope",
     swept=True,
+    example="--alpha 2 --epsilon 1/10 --time 2 --digits 5",
+    rests="the averaged law in balls (`lancaster-average`, `two-laws-average`): certified for it, and it"
+    " approximates the motion",
 )
 def envelope_at(
     law: Annotated[LawLike | Oscillator, MOVES],
@@ -243,7 +246,7 @@ def envelope_at(
 
 def curve_of(given: Given, squaring: bool) -> Curve:
     """The envelope of what is given."""
-    return replace(envelope(given.oscillator, averaging=SQUARING if squaring else MEAN), si=given.si)
+    return replace(envelope(given.oscillator, averaging=SQUARING if squaring else MEAN), frame=given.frame)
 
 
 def _slow(found: Curve, eta: Number) -> SlowPart:

@@ -154,6 +154,8 @@ def _typed(request: Request) -> None:
         },
     ),
     swept=True,
+    example="--alpha 2 --order 1 --digits 5",
+    rests="the same formal series: whole exponents exact, others in balls",
 )
 def half_swing(
     law: Annotated[LawLike, TERMS],

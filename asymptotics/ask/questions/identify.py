@@ -123,7 +123,9 @@ def _page(found: Identification, request: Request) -> str:
             "latex": "the answer is a verdict in words; `--csv` has all candidate laws",
             "points": "the points are those of FILE",
         },
-    )
+    ),
+    example="{data} --laws 1 --no-bootstrap",
+    rests="statistics in doubles; with a resolution of the data a certified set, in balls",
 )  # fmt: skip
 def identify(
     data: Annotated[Any, RUNS],

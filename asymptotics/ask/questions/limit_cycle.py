@@ -65,6 +65,8 @@ def _text(found: LimitCycle) -> str:
         lacks={"gauge": "what is observed is the same in every gauge", "points": "there is no curve"},
     ),
     swept=True,
+    example="--law 1:-1 --law 1,2:1 --order 2 --digits 5",
+    rests="formal series, exact; at a strength mu balls",
 )
 def limit_cycle(
     law: Annotated[LawLike, law_with_strengths("its strength, negative for a gain", negative=True)],

@@ -1,17 +1,21 @@
 """The averages of |sin|^p."""
 
-from typing import Annotated
+from functools import partial
+from typing import TYPE_CHECKING, Annotated
 
 from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import REAL, SECONDS, digits
 from asymptotics.ask.question import question
 from asymptotics.errors import InputError
 from asymptotics.expansions.moments.certified import moment as moment_ball
-from asymptotics.expansions.moments.symbolic import moment as moment_expression
-from asymptotics.numbers.bridge import from_sympy, to_sympy
+from asymptotics.expansions.moments.written import integer_moment, written
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
-from asymptotics.numbers.value import Coefficient
+from asymptotics.numbers.value import Coefficient, with_text
+
+if TYPE_CHECKING:
+    from sympy import Expr
 
 # Sizes of answers that still come at once and can be read; they refuse, and nothing that is answered rests on them.
 MAX_P, MAX_DIGITS = 10_000, 10_000
@@ -36,6 +40,8 @@ def _latex(found: Coefficient, request: Request) -> str:
         },
     ),
     swept=True,
+    example="--p 2 --digits 5",
+    rests="balls (`certified_zero`: exact where it is rational)",
 )
 def moment(
     p: Annotated[Number, REAL.called(letter="P", told=f", at most {MAX_P}")],
@@ -73,7 +79,17 @@ def moment(
         raise InputError("p", f"{number}: {reason}", f"a real number above -1, at most {MAX_P}")
     # M_p is rational for even p, a rational over pi for odd p; a rational may be a tie, which only exact rounding
     # tells.
-    expression = moment_expression(to_sympy(number))
-    if expression.is_Rational:
-        return Coefficient(rational_decimal(from_sympy(expression), digits), expression)
-    return Coefficient(certified_decimal(lambda: moment_ball(number.ball()), digits), expression)
+    if number.is_integer and number.rational.numerator % 2 == 0:
+        value = rational_decimal(integer_moment(number.rational.numerator)[0], digits)
+    else:
+        value = certified_decimal(lambda: moment_ball(number.ball()), digits)
+    if number.is_rational:
+        return with_text(value, written(number.rational), partial(_expression, number))
+    return Coefficient(value, _expression(number))
+
+
+def _expression(number: ExactReal) -> "Expr":
+    from asymptotics.expansions.moments.symbolic import moment  # noqa: PLC0415 (SymPy, which takes longer than digits)
+    from asymptotics.numbers.bridge import to_sympy  # noqa: PLC0415 (as above)
+
+    return moment(to_sympy(number))

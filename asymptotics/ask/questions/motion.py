@@ -7,7 +7,7 @@ from typing import Annotated, Any, cast
 from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.laws import MOVES_OR_RESTS
-from asymptotics.ask.moving import OVERLAY, TIME, Given, overlaid
+from asymptotics.ask.moving import OVERLAY, TIME, overlaid
 from asymptotics.ask.question import question
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
@@ -20,6 +20,7 @@ from asymptotics.expansions.divergence.truncation import BestOrder
 from asymptotics.expansions.equations.build import expand
 from asymptotics.gauges import GAUGES, TURNING_POINT
 from asymptotics.law import LawLike, Oscillator
+from asymptotics.law_given import Given
 from asymptotics.motions.asymptotic import MAX_DIGITS as MAX_ASYMPTOTIC_DIGITS
 from asymptotics.motions.asymptotic import MAX_ORDER
 from asymptotics.motions.point import MotionPoint
@@ -46,11 +47,11 @@ class MotionAtTime:
     best_order: BestOrder | None = None
 
 
-_UNITS = {"x": "m", "v": "m/s", "amplitude": "m", "phase": "rad", "error": "m"}
+_TOLD = ("x", "v", "amplitude", "phase", "error")
 
 
 def _data(found: MotionAtTime, request: Request) -> dict[str, Any]:
-    data: dict[str, Any] = {**found.point.to_dict(), "units": "SI" if _given(request).si else None, "files": []}
+    data: dict[str, Any] = {**found.point.to_dict(), "units": _given(request).frame.units, "files": []}
     if found.bound is not None:
         always = found.uniform_bound
         data |= {"bound": found.bound, "uniform_bound": None if always is None else always.to_dict()}
@@ -58,11 +59,11 @@ def _data(found: MotionAtTime, request: Request) -> dict[str, Any]:
 
 
 def _text(found: MotionAtTime, request: Request) -> str:
-    given, point = _given(request), found.point
-    values = {name: (getattr(point, name), given.unit(unit)) for name, unit in _UNITS.items()}
-    lines = [f"{name:9}  {value}{unit}" for name, (value, unit) in values.items() if value is not None]
+    frame, point = _given(request).frame, found.point
+    values = {name: getattr(point, name) for name in _TOLD}
+    lines = [f"{name:9}  {frame.told(name, value)}" for name, value in values.items() if value is not None]
     if found.bound is not None:
-        lines.append(f"bound      {found.bound}{given.unit('m')} (proved: |x - x_N| is at most this)")
+        lines.append(f"bound      {frame.told('bound', found.bound)} (proved: |x - x_N| is at most this)")
     lines += [f"proved for x_N before rounding: {found.uniform_bound}"] if found.uniform_bound is not None else []
     lines += [str(found.best_order)] if found.best_order is not None else []
     order = "" if point.order is None or request["reference"] else f", order {point.order}, gauge {point.gauge}"
@@ -84,9 +85,9 @@ def _rows_done(rows: Any, request: Request) -> tuple[str, int, str] | None:
     """The rows that were done when the time was over; None of anything else that was under way."""
     if not isinstance(rows, MotionSamples):
         return None
-    name, unit = ("t", " s") if _given(request).si else ("tau", "")
-    errors = of_motion(Reference(_given(request).oscillator), rows)
-    return with_errors(rows.to_csv(), errors), len(rows.t), f"{name} > {float(rows.t[-1])!r}{unit}"
+    frame = _given(request).frame
+    errors = of_motion(Reference(_given(request).oscillator, frame=frame), rows)
+    return with_errors(rows.to_csv(), errors), len(rows.t), f"{frame.time} > {frame.told('t', repr(float(rows.t[-1])))}"
 
 
 def _drawn(found: MotionAtTime, request: Request) -> list[Any]:
@@ -97,9 +98,9 @@ def _curve(found: MotionAtTime, oscillator: Oscillator) -> Motion | Reference:
     """The same of another law."""
     like = found.curve
     if isinstance(like, Reference):
-        return Reference(oscillator, like.static, si=like.si)
+        return Reference(oscillator, like.static, frame=like.frame)
     like = cast("Motion", like)
-    return Motion(oscillator, like.order, like.gauge, si=like.si)
+    return Motion(oscillator, like.order, like.gauge, frame=like.frame)
 
 
 def _style(found: MotionAtTime, request: Request) -> dict[str, Any]:
@@ -144,6 +145,7 @@ def _as_reference(point: Mapping[str, str], digits: int) -> dict[str, str]:
         data=_data,
         text=_text,
         as_csv=_csv,
+        formula=lambda found, _: found.point._formula(),
         drawn=_drawn,
         style=_style,
         typed=_typed,
@@ -157,6 +159,9 @@ def _as_reference(point: Mapping[str, str], digits: int) -> dict[str, str]:
     ),
     name="motion",
     swept=True,
+    example="--alpha 2 --epsilon 1/10 --time 1 --order 1 --digits 5",
+    rests="a series that diverges: its error is measured, unless `--bound` proves one (`uniform-bound`,"
+    " `explicit-bound`)",
 )
 def motion_at(
     law: Annotated[LawLike | Oscillator, MOVES_OR_RESTS],
@@ -164,7 +169,7 @@ def motion_at(
     *,
     order: Annotated[int | None, whole(1, MAX_ORDER).called(default=f"{DEFAULT_ORDER}")] = None,
     bound: Annotated[bool, FLAG] = False,
-    best_order: Annotated[Number | None, REAL.called(letter="D")] = None,
+    best_order: Annotated[Number | None, REAL.called(letter="D", feeds={"delta": ("best_order",)})] = None,
     reference: Annotated[bool, FLAG] = False,
     gauge: Annotated[str | None, choice(*GAUGES, letter="G", of="gauge").called(default="the first")] = None,
     static: Annotated[Number | None, REAL.called(letter="F", group="the law")] = None,
@@ -249,7 +254,8 @@ def motion_at(
             reference_motion(oscillator, 0, static=static)
         best = _best_order(oscillator, best_order, seconds)
         return MotionAtTime(_rest(reference, N, G), None, "0" if bound else None, None, best)
-    curve = Reference(oscillator, static, si=given.si) if reference else Motion(oscillator, N, G, si=given.si)
+    frame = given.frame
+    curve = Reference(oscillator, static, frame=frame) if reference else Motion(oscillator, N, G, frame=frame)
     point = curve.at(moment, digits=30 if reference and digits is None else digits)  # type: ignore[arg-type]
     # Of the x that is printed, rounded as it is: the two stand side by side.
     proved = proved_bound(oscillator, point.x, moment, max_seconds=seconds) if bound else None

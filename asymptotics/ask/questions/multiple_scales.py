@@ -145,6 +145,8 @@ _FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to 
         lacks=dict.fromkeys(("csv", "plot", "points"), _FORMULAS),
     ),
     name="multiple-scales",
+    example="--alpha 3 --order 1",
+    rests="exact: each order's equation is put back by SymPy",
 )
 def derived(
     law: Annotated[LawLike, _LAW],

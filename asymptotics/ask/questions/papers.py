@@ -155,6 +155,8 @@ _KINDS = ", ".join(f"{name} {said}" for name, said in SHORTFALLS.items())
         own_latex=True,
         text=_text,
         as_latex=_latex,
+        shown=lambda found, _: [*found.entries] if found.outcomes is None and found.query else [None],
+        formula=lambda *_: "",
         failed=lambda found, _: bool(found.failed),
         missing=_missing,
         lacks={
@@ -164,6 +166,8 @@ _KINDS = ", ".join(f"{name} {said}" for name, said in SHORTFALLS.items())
         },
     ),
     alone=False,
+    example="smith2012:43",
+    rests="the verdict of each statement, with its evidence: proved, certified, measured",
 )
 def papers(
     query: Annotated[str | Sequence[str], WHAT] = "",

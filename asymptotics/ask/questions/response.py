@@ -12,13 +12,13 @@ from asymptotics.law import LawLike, Oscillator
 from asymptotics.numbers.policy import Number
 
 if TYPE_CHECKING:
-    from asymptotics.ask.moving import Given
+    from asymptotics.law_given import Given
 
 DRIVEN = moving("its strength, in units m = k = 1", springs=False, start=())
 
 
 def _data(found: Response, request: Request) -> dict[str, Any]:
-    return {**found.to_dict(), "units": "SI" if cast("Given", request["law"]).si else None}
+    return {**found.to_dict(), "units": cast("Given", request["law"]).frame.units}
 
 
 @question(
@@ -30,6 +30,9 @@ def _data(found: Response, request: Request) -> dict[str, Any]:
         lacks={"gauge": "what is observed is the same in every gauge", "points": "the answer is no curve"},
     ),
     swept=True,
+    example="--law 2:1/10 --force 1/5 --omega 9/10 --digits 5",
+    rests="a trial orbit with its defect and a contraction, in balls, from exponent 1 on (`driven-unique`); below"
+    " it first order alone (`driven-first-order`)",
 )
 def response(
     law: Annotated[LawLike | Oscillator, DRIVEN],

@@ -76,6 +76,8 @@ def _at_more_digits(point: Mapping[str, str], digits: int) -> dict[str, str]:
         },
     ),
     swept=True,
+    example="f --n 3",
+    rests="exact rational arithmetic",
 )
 def smith(
     what: Annotated[str, choice("f", "c", "g", "r", "s", "t", letter="WHAT").called(place=True, told="")],

@@ -8,7 +8,7 @@ import numpy as np
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, SECONDS, Option, choice, digits, whole
 from asymptotics.ask.laws import MOVES_OR_FORMULAS
-from asymptotics.ask.moving import OVERLAY, TIME, Given, overlaid, require_stretch
+from asymptotics.ask.moving import OVERLAY, TIME, overlaid, require_stretch
 from asymptotics.ask.question import question
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.curves.double_errors import of_solution
@@ -17,6 +17,7 @@ from asymptotics.curves.shown_solution import SolutionPoint
 from asymptotics.curves.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
 from asymptotics.errors import InputError
 from asymptotics.law import LawLike, Oscillator
+from asymptotics.law_given import Given
 from asymptotics.numbers.double_words import with_errors
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number
@@ -60,7 +61,6 @@ def _latex(found: SolutionAtTime, request: Request) -> str:
 
 
 _MEANINGS = {"kappa": "kappa = p_1 epsilon", "SI": "omega_0^2 = k/m; A in m, t in s"}
-_TOLD = {"time": "s", "amplitude_value": "m", "phase_value": "rad", "x_value": "m", "bound": "m"}
 
 
 def _text(found: SolutionAtTime, request: Request) -> str:
@@ -72,27 +72,27 @@ def _text(found: SolutionAtTime, request: Request) -> str:
         A, phi = found.in_units.values()
         lines += [f"A       = {A}", f"phi     = {phi}", f"units   {meaning}"]
     if found.values:
-        given, values = cast("Given", request["law"]), found.values
-        lines += [f"{n.removesuffix('_value'):10} {values[n]}{given.unit(u)}" for n, u in _TOLD.items() if n in values]
+        frame = cast("Given", request["law"]).frame
+        # No phase is told where the mass is held or the amplitude has vanished.
+        values = {name.removesuffix("_value"): text for name, text in found.values.items() if text}
+        lines += [f"{name:10} {frame.told(name, text)}" for name, text in values.items()]
     lines += ["bound: proved, |x - x_N| is at most this"] if found.bound is not None else []
     return "\n".join(lines)
 
 
 def _csv(found: SolutionAtTime, request: Request) -> str:
-    header, unit = ["tau", "amplitude", "phase", "x"], found.solution._given().unit
-    if found.solution.si:
-        header = ["t [s]", f"amplitude [{unit}]", "phase [rad]", f"x [{unit}]"]
+    header = [found.solution.frame.named(name) for name in ("t", "amplitude", "phase", "x")]
     t = np.linspace(0.0, float(cast("ExactReal", found.time).ball().mid()), request.points + 1)
     text = csv_text(header, [[repr(float(c)) for c in row] for row in zip(*found.solution.columns(t))])
     return with_errors(text, of_solution(found.solution, t))
 
 
 def _drawn(found: SolutionAtTime, request: Request) -> list[Any]:
-    order, si = found.solution.order, found.solution.si
+    order, frame = found.solution.order, found.solution.frame
 
     def again(other: Oscillator) -> Found:
         """The same of another law."""
-        return replace(solution(other, order=order), si=si)
+        return replace(solution(other, order=order), frame=frame)
 
     return overlaid(request.options, found.solution, request["law"], again)
 
@@ -115,6 +115,7 @@ def _typed(request: Request) -> None:
         data=_data,
         text=_text,
         as_latex=_latex,
+        formula=lambda found, _: found.solution.latex(standalone=False),
         as_csv=_csv,
         drawn=_drawn,
         style=lambda found, _: {"until": found.time},
@@ -122,6 +123,8 @@ def _typed(request: Request) -> None:
         lacks={"gauge": "the solution is in the turning-point gauge: A is the turning amplitude"},
     ),
     name="solution",
+    example="--alpha 2 --epsilon 1/10 --order 1 --time 1 --digits 5",
+    rests="the same series, explicit in the slow time: O(epsilon^N), not bounded",
 )
 def solution_at(
     law: Annotated[LawLike | Oscillator, MOVES_OR_FORMULAS],
@@ -191,9 +194,9 @@ def solution_at(
         raise InputError("bound", "a bound belongs to a time", "--bound with --time T")
     given = law if isinstance(law, Given) else None
     found = solution(cast("Any", law) if given is None else given.oscillator, order=order)
-    found = found if given is None else replace(found, si=given.si)
+    found = found if given is None else replace(found, frame=given.frame)
     # The units in which the numbers came are those in which the formulas are expected.
-    units = units or ("SI" if given is not None and given.si else "epsilon")
+    units = units or ("SI" if given is not None and given.frame else "epsilon")
     made, moment = SolutionAtTime(found, units, _formulas(found, units)), cast("ExactReal | None", time)
     if moment is None:
         return made

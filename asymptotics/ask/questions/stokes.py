@@ -19,6 +19,8 @@ from asymptotics.present.inputs import csv_text
         lacks={"gauge": "the constants are the same in every gauge", "points": "`--count` says how many"},
     ),
     swept=True,
+    example="--alpha 0 --digits 5",
+    rests="balls (`abel-petal`)",
 )
 def stokes(
     alpha: Annotated[Number, REAL],

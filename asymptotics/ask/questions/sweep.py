@@ -166,6 +166,8 @@ def _told(result: SweepResult, target: str | None) -> str:
     ),
     name="sweep",
     alone=False,
+    example="moment --p 1 --workers 1 --store {folder}",
+    rests="what the command that is swept rests on, row by row",
 )
 def sweep_command(
     command: Annotated[str, COMMAND],

@@ -125,6 +125,7 @@ def _missing(table: Table, _: Request) -> tuple[int, str]:
 @question(
     Offers(
         latex="as --format latex",
+        formula=lambda *_: "",
         picture="its columns of numbers against its key",
         table="the table with its provenance (as --format csv --output FILE)",
         more=(
@@ -140,7 +141,9 @@ def _missing(table: Table, _: Request) -> tuple[int, str]:
         certificate=lambda table, _: table.certificate(),
         missing=_missing,
         lacks={"gauge": "a table says in its title which gauge it is in", "points": "`--rows` says how many"},
-    )
+    ),
+    example="moments --alpha 1 --digits 5",
+    rests="what each table says of its route (`asymptotics table --list`)",
 )
 def table(
     name: Annotated[str, NAME] = "",

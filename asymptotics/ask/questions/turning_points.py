@@ -7,7 +7,6 @@ from typing import Annotated, Any, cast
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, SECONDS, TEXT, digits, whole
 from asymptotics.ask.laws import MOVES
-from asymptotics.ask.moving import Given
 from asymptotics.ask.question import question
 from asymptotics.curves.turning_points import (
     MotionTurningPoints,
@@ -19,6 +18,7 @@ from asymptotics.curves.turning_points import (
 )
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law, LawLike, Oscillator
+from asymptotics.law_given import Given
 from asymptotics.numbers.policy import Number
 from asymptotics.present.inputs import csv_text
 from asymptotics.running.cut_short import changed
@@ -78,7 +78,7 @@ def _data(found: Any, request: Request) -> dict[str, Any]:
     if isinstance(found, Routes):
         return data
     moving = cast("Given", request["law"])
-    return data | {"units": "SI" if moving.si else None, "x_unit": moving.x_unit}
+    return data | {"units": moving.frame.units, "x_unit": moving.x_unit}
 
 
 def _csv(found: TurningPoints, request: Request) -> str:
@@ -110,12 +110,16 @@ def _certificate(found: Any, request: Request) -> Any:
         data=_data,
         text=_text,
         as_latex=lambda found, _: found._formula(),
+        formula=lambda *_: "",  # its table has it all
         as_csv=_csv,
         certificate=_certificate,
         missing=_missing,
         lacks={"gauge": "what is observed is the same in every gauge", "points": "`--count` says how many"},
     ),
     swept=True,
+    example="--alpha 2 --epsilon 1/10 --count 2 --digits 5",
+    rests="balls: `turning-point-majorant`, `taylor-residual`, `motions-never-part`; springs:"
+    " `wells-majorant`, `wells-distance`",
 )
 def turning_points(
     law: Annotated[LawLike | Oscillator, MOVES],
@@ -200,7 +204,7 @@ def _points(moving: Given, count: int, **rest: Any) -> MotionTurningPoints:
 
     told = partial(of_motion, oscillator)
     with changed(told):
-        if moving.si:
+        if moving.frame:
             return told(turning_points_in_units(oscillator, count, **rest))
         # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths
         # epsilon_i x0^(alpha_i-1), and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
@@ -220,6 +224,6 @@ def _routes(moving: Given, count: int, digits: int, start: int, times: bool) -> 
     """All routes, and what each would cost for this request; none is taken."""
     # As it is computed: from 1, with strengths epsilon_i x0^(alpha_i-1), unless springs or a speed forbid it.
     pure = moving.oscillator.law.is_pure and moving.oscillator.v0.is_zero
-    law, kick = dimensionless(moving.oscillator) if moving.si or pure else _bare(moving.oscillator)
-    offered = offers(table.Request.read(law, count, digits, start=start, times=times, **kick))
+    law, kick = dimensionless(moving.oscillator) if moving.frame or pure else _bare(moving.oscillator)
+    offered = offers(table.PointsRequest.read(law, count, digits, start=start, times=times, **kick))
     return Routes(tuple((r.name, "no" if s is None else f"{s:.2g}", r.domain, r.way) for r, s in offered))

@@ -1,7 +1,8 @@
 """Certificates of the certified side of a comparison: turning points and states, as the values stand there.
 
 >>> from asymptotics.decays.comparison.run import compare_file
->>> found = compare_file({"n": ["1", "2"], "x": ["-0.41", "0.26"]}, Oscillator({2: 1}), digits=8)
+>>> from asymptotics.law_given import Given
+>>> found = compare_file({"n": ["1", "2"], "x": ["-0.41", "0.26"]}, Given(Oscillator({2: 1})), digits=8)
 >>> print(*found.certificate().proved, sep="\\n")
 x'' + 1 x + 1 sgn(x')|x'|^(2) = 0, x(0) = 1, x'(0) = 0
 turning point 1: x = -0.41071969 (known to 1e-13)

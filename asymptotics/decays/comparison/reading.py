@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from asymptotics.errors import InputError, LimitError, shown
+from asymptotics.frames import BARE, Frame
 from asymptotics.numbers.exact import parse_printed
 from asymptotics.numbers.policy import exact_number
 
@@ -60,7 +61,7 @@ def read_sheet(
     mapping: str | None,
     known: tuple[str, ...] = QUANTITIES,
     *,
-    si: bool = False,
+    frame: Frame = BARE,
     words: tuple[str, ...] = (),
 ) -> Sheet:
     """Read a CSV file, or columns by name; InputError for what is neither, a column that is missing, units that differ.
@@ -82,7 +83,7 @@ def read_sheet(
     columns = dict(sorted(columns_of(filled, mapping, known).items(), key=lambda pair: pair[1]))
     # Tables have units of their own, which their description says.
     if not words:
-        _require_units({name: units.get(place, "") for name, place in columns.items()}, si)
+        _require_units({name: units.get(place, "") for name, place in columns.items()}, frame)
     wanted = max(columns.values())
     for line, cells in rows:
         if len(cells) <= wanted:
@@ -225,13 +226,13 @@ def _names(header: list[str], known: tuple[str, ...]) -> tuple[list[str], dict[i
     return names, units
 
 
-def _require_units(units: dict[str, str], si: bool) -> None:
+def _require_units(units: dict[str, str], frame: Frame) -> None:
     for name, unit in units.items():
-        expected = UNITS.get(name, "") if si else ""
+        expected = frame.unit(name) if name in UNITS else ""
         if unit in ("", "1", expected):
             continue
         accepted = f"{name} [{expected}]" if expected else f"{name} without a unit"
-        hint = "" if si or name not in UNITS else "; values in SI need --mass, --stiffness and --x0"
+        hint = "" if frame or name not in UNITS else "; values in SI need --mass, --stiffness and --x0"
         raise InputError("FILE", f"{name} is in {unit[:40]!r}", accepted + hint)
 
 

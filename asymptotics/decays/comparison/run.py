@@ -1,10 +1,10 @@
 """A file of somebody's values, compared: every value with its right digits, and what the errors look like together.
 
 >>> import tempfile
->>> from asymptotics.law import Oscillator, of_unit_start
+>>> from asymptotics.law import Oscillator
 >>> path = Path(tempfile.mkdtemp()) / "mine.csv"
 >>> _ = path.write_text("n,x\\n0,1\\n1,-0.4107197\\n2,0.2635711\\n")
->>> found = compare_file(path, Oscillator({2: 1}))
+>>> found = compare_file(path, Given(Oscillator({2: 1})))
 >>> for row in found.rows:
 ...     print(row.key, row.column, row.marked, row.certified, row.digits)
 0 x 1 1.0000000000000000000 20.00
@@ -31,9 +31,11 @@ from asymptotics.decays.comparison.errors import Errors, of_motion, of_turning_p
 from asymptotics.decays.comparison.order import order_of, told_order
 from asymptotics.decays.comparison.quick_look import Look, look_of
 from asymptotics.decays.comparison.reading import Columns, Sheet, as_double, read_sheet
-from asymptotics.decays.comparison.truth import Truth, at_envelope, at_times, at_turning_points
+from asymptotics.decays.comparison.truth import Truth, at_envelope, at_times, at_turning_points, of_its_law
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.law import Oscillator, of_unit_start
+from asymptotics.frames import Frame
+from asymptotics.law import of_unit_start
+from asymptotics.law_given import Given
 from asymptotics.numbers.digits import spread
 from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.double_words import stated_errors
@@ -167,19 +169,18 @@ class Comparison(Rows, Drawn):
 
 def compare_file(
     path: Path | Columns,
-    oscillator: Oscillator,
+    given: Given,
     *,
     columns: str | None = None,
     digits: int | None = None,
-    si: bool = False,
 ) -> Comparison:
     """Compare turning points (a column n) or a motion (a column tau or t) with the certified ones: a file, or columns.
 
-    The file is in the units of the oscillator if ``si``, else dimensionless.  ``digits`` of the certified values: by
+    The file is in the frame of what is given.  ``digits`` of the certified values: by
     default four more than the longest value given.  InputError for what the file does not say or says wrongly; an error
     that cuts the work short carries the rows that are done.
     """
-    sheet, left = read_sheet(path, columns, si=si), list[str]()
+    sheet, left = read_sheet(path, columns, frame=given.frame), list[str]()
     doubles = stated_errors(path) if isinstance(path, Path) else {}
     key = next((name for name in ("n", "tau", "t") if name in sheet.columns), None)
     # The first of n, tau, t is the key; a time beside n is a value.
@@ -196,11 +197,11 @@ def compare_file(
             raise InputError("columns", "at a time there are x and v", "tau,x  or  tau,x,v  or  tau,amplitude,phase")
 
     # Without units turning points are in those of the start, and a motion is that of the law alone.
-    unit = of_unit_start(oscillator.dimensionless) if key == "n" and not si else Oscillator(oscillator.law)
-    side = MotionBeside(oscillator if si else unit)
+    alone = key == "n" and not given.frame
+    side = MotionBeside(of_unit_start(given.oscillator.dimensionless) if alone else of_its_law(given))
 
     def compared(sheet: Sheet, truth: Truth, look: Callable[[Sequence[ComparedValue]], Look]) -> Comparison:
-        rows = _rows(sheet, truth, key, values, wanted, si, doubles)
+        rows = _rows(sheet, truth, key, values, wanted, given.frame, doubles)
         summary = summary_of(rows, look(rows))
         summary["order"] = order_of(list(sheet.numbers[key]), counted=key == "n")
         summary |= {"ended": truth.ended} if truth.ended else {}
@@ -213,9 +214,7 @@ def compare_file(
         return short_of(compared(sheet.only(places), truth, lambda _: UNJUDGED), sheet.lines)
 
     with changed(so_far):
-        truth, judge = _truth(
-            sheet, oscillator, key, values, wanted, si, "FILE line" if isinstance(path, Path) else "row"
-        )
+        truth, judge = _truth(sheet, given, key, values, wanted, "FILE line" if isinstance(path, Path) else "row")
         # The values are there: if the time ends here, they are told without a look at their errors.
         with changed(lambda _: truth, otherwise=lambda: truth):
             errors, shift = judge()
@@ -236,20 +235,18 @@ def short_of(found: Comparison, lines_of_file: Sequence[int]) -> Comparison:
 Judge = Callable[[], tuple[Errors, Any | None]]
 
 
-def _truth(
-    sheet: Sheet, oscillator: Oscillator, key: str, values: list[str], digits: int, si: bool, where: str
-) -> tuple[Truth, Judge]:
+def _truth(sheet: Sheet, given: Given, key: str, values: list[str], digits: int, where: str) -> tuple[Truth, Judge]:
     """The certified values, and how the errors beside them are found."""
     if key == "n":
         _require_at_turning(values)
         numbers = [parse_integer(cell, f"{where} {n}", 0, MAX_N) for n, cell in zip(sheet.lines, sheet.column("n"))]
-        turned = at_turning_points(oscillator, numbers, digits, set(values), si=si)
-        return turned, lambda: _of_turning(sheet, turned, numbers, values, oscillator, si)
+        turned = at_turning_points(given, numbers, digits, set(values))
+        return turned, lambda: _of_turning(sheet, turned, numbers, values, given)
     times = list(sheet.numbers[key])
     if not set(values) <= {"x", "v"}:
-        return at_envelope(oscillator, times, digits, values, si=si), lambda: (Errors(*np.zeros((4, 0))), None)
-    moved = at_times(oscillator, times, digits, values, si=si)
-    return moved, lambda: _of_motion(sheet, moved, times, oscillator, si)
+        return at_envelope(given, times, digits, values), lambda: (Errors(*np.zeros((4, 0))), None)
+    moved = at_times(given, times, digits, values)
+    return moved, lambda: _of_motion(sheet, moved, times, given)
 
 
 def _require_at_turning(values: list[str]) -> None:
@@ -269,12 +266,12 @@ def _rows(
     key: str,
     values: Sequence[str],
     digits: int,
-    si: bool,
+    frame: Frame,
     doubles: Mapping[str, DoubleError],
 ) -> tuple[ComparedValue, ...]:
     # Counts as numpy.savetxt writes them, 0.000e+00, are told as 0.
     keys = [str(int(Fraction(cell))) for cell in sheet.column(key)] if key == "n" else sheet.column(key)
-    name = "t" if key == "t" and si else "n" if key == "n" else "tau"
+    name = "n" if key == "n" else frame.time if key == "t" else "tau"
     found = []
     for column in values:
         cells, right = sheet.column(column), truth.columns[column]
@@ -346,11 +343,11 @@ def _without_rounding(errors: Errors, rows: Sequence[ComparedValue]) -> Errors:
 
 
 def _of_turning(
-    sheet: Sheet, truth: Truth, numbers: list[int], values: list[str], oscillator: Oscillator, si: bool
+    sheet: Sheet, truth: Truth, numbers: list[int], values: list[str], moving: Given
 ) -> tuple[Errors, Any | None]:
     size = next((name for name in ("x", "amplitude") if name in values), None)
     time = next((name for name in ("tau", "t") if name in values), None)
-    scale = float(oscillator.omega_0().mid()) if time == "t" and si else 1.0
+    scale = float(moving.oscillator.omega_0().mid()) if time == "t" and moving.frame else 1.0
     right = truth.columns[size] if size else []
     # Beyond the end of the motion there is nothing to compare with; 500 half-swings show what errors look like.
     there = [i for i, text in enumerate(right) if text is not None][:_LOOKED_AT]
@@ -365,15 +362,14 @@ def _of_turning(
     return errors, np.sort(taus) - np.pi * np.sort(ns)
 
 
-def _of_motion(
-    sheet: Sheet, truth: Truth, times: list[Fraction], oscillator: Oscillator, si: bool
-) -> tuple[Errors, Any | None]:
+def _of_motion(sheet: Sheet, truth: Truth, times: list[Fraction], moving: Given) -> tuple[Errors, Any | None]:
     """Errors at the true turning points, and the sum of T - pi there."""
     nothing = Errors(*np.zeros((4, 0)))
     if "x" not in sheet.columns:
         return nothing, None
     everything = list(range(len(times)))
-    omega, length = (float(ball.mid()) if si else 1.0 for ball in (oscillator.omega_0(), oscillator.length()))
+    oscillator = moving.oscillator
+    omega, length = (float(ball.mid()) if moving.frame else 1.0 for ball in (oscillator.omega_0(), oscillator.length()))
     tau = np.array([float(t) for t in times]) * omega
     given, x = (_floats(cells, everything) for cells in (sheet.column("x"), truth.columns["x"]))
     v = np.array(truth.speeds)

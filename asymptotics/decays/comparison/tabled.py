@@ -173,5 +173,6 @@ def _same(cell: str) -> object:
 def _counted(sheet: Sheet, keys: list[str]) -> int:
     """How many rows reach as far as the file does: the largest integer in a key that counts, and one more."""
     cells = (cell for key in keys if key not in _GRIDS for cell in sheet.column(key))
-    numbers = (int(digits) for cell in cells for digits in re.findall(r"\d{1,6}", cell))
+    # As a key it is compared: the digits of 1.000e+01 as they are written count neither to 10 nor to 0.
+    numbers = (int(digits) for cell in cells for digits in re.findall(r"\d{1,6}", str(_same(cell))))
     return 1 + max(numbers, default=0)

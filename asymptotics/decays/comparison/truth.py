@@ -3,7 +3,7 @@
 Whether they are certified is what the routes themselves say: one value that is not makes the comparison say so.
 
 >>> from asymptotics.law import Oscillator
->>> values = at_turning_points(Oscillator({2: 1}), [0, 1], 10, {"x", "tau"}, si=False)
+>>> values = at_turning_points(Given(Oscillator({2: 1})), [0, 1], 10, {"x", "tau"})
 >>> values.columns["x"], values.columns["tau"], values.certified
 (['1.000000000', '-0.4107196861'], ['0', '3.380971060'], True)
 """
@@ -20,6 +20,7 @@ from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.errors import InputError, UndecidedError
 from asymptotics.flow.dense import State
 from asymptotics.law import Oscillator
+from asymptotics.law_given import Given
 from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.reference import reference_motion, reference_states
 from asymptotics.numbers.context import ctx
@@ -50,11 +51,15 @@ class Truth:
     places: tuple[int, ...] | None = None
 
 
-def at_turning_points(
-    oscillator: Oscillator, numbers: Sequence[int], digits: int, wanted: set[str], *, si: bool
-) -> Truth:
-    """x, tau, t and amplitude at turning points; the units of ``oscillator`` if ``si``."""
-    if not si:
+def of_its_law(given: Given) -> Oscillator:
+    """The oscillator in its units; without any, that of its law alone."""
+    return given.oscillator if given.frame else Oscillator(given.oscillator.law)
+
+
+def at_turning_points(given: Given, numbers: Sequence[int], digits: int, wanted: set[str]) -> Truth:
+    """x, tau, t and amplitude at turning points, in the frame of what is given."""
+    oscillator = given.oscillator
+    if not given.frame:
         return _at_turning_points(oscillator, numbers, digits, wanted, _unchanged)
     reason = None
     for guard in _GUARDS:
@@ -126,15 +131,13 @@ def _unchanged(name: str, text: str) -> str:
     return text.lstrip("-") if name == "amplitude" else text
 
 
-def at_times(
-    oscillator: Oscillator, times: Sequence[Fraction], digits: int, wanted: Sequence[str], *, si: bool
-) -> Truth:
-    """What is ``wanted`` of x and v at times, t in s if ``si`` and else tau."""
+def at_times(given: Given, times: Sequence[Fraction], digits: int, wanted: Sequence[str]) -> Truth:
+    """What is ``wanted`` of x and v at times, t in s in a frame with units and else tau."""
     for t in times:
         if t < 0:
             raise InputError("FILE", f"the time {t} is before the start", "times >= 0")
     # The printed times are exact numbers; as doubles they would be other times.
-    moved, exact = (oscillator if si else Oscillator(oscillator.law)), [ExactReal(t) for t in times]
+    moved, exact = of_its_law(given), [ExactReal(t) for t in times]
     made = _Moments(tuple(wanted), digits)
     left = list(range(len(times)))
     for guard in _GUARDS:  # a value next to a zero, or next to a tie, asks for more
@@ -206,16 +209,14 @@ class _Moments:
         return Truth(columns, self.certified, method, speeds=speeds, places=tuple(places))
 
 
-def at_envelope(
-    oscillator: Oscillator, times: Sequence[Fraction], digits: int, wanted: Sequence[str], *, si: bool
-) -> Truth:
+def at_envelope(given: Given, times: Sequence[Fraction], digits: int, wanted: Sequence[str]) -> Truth:
     """A and phi of the averaged law, of first order, at times.
 
     >>> from asymptotics.law import Oscillator
-    >>> at_envelope(Oscillator({2: "1/10"}), [Fraction(2)], 8, ["amplitude", "phase"], si=False).columns
+    >>> at_envelope(Given(Oscillator({2: "1/10"})), [Fraction(2)], 8, ["amplitude", "phase"]).columns
     {'amplitude': ['0.92175869'], 'phase': ['-0.0030725290']}
     """
-    envelope = FirstOrderEnvelope(oscillator if si else Oscillator(oscillator.law))
+    envelope = FirstOrderEnvelope(of_its_law(given))
     found = {"amplitude": envelope.amplitude, "phase": envelope.phase}
     exact = [ExactReal(t) for t in times]
     rows: list[list[str]] = []

@@ -11,6 +11,7 @@ from asymptotics.decays.identification.forward.candidates import loss_in_words
 from asymptotics.decays.identification.inverse_damping import DampingCandidate, Problem, Strength
 from asymptotics.decays.identification.judging.grades import off
 from asymptotics.errors import require_choice
+from asymptotics.present.percent import percent
 from asymptotics.present.shown import Page, Rows
 
 # So many rivals are named; the table below has all of them.
@@ -100,11 +101,9 @@ class DampingLaw(Rows):
     def _worth(self) -> list[str]:
         told = "intervals: profiles, 95 %; estimates in doubles of the first-order law"
         if self.neglected is not None:
-            told += f"; the motion differs from it by at most {100 * self.neglected:.2g} % at these amplitudes"
+            told += f"; the motion differs from it by at most {percent(self.neglected)} at these amplitudes"
             if self.neglected > self.resolution:
-                told += (
-                    f", more than the resolution ({100 * self.resolution:.2g} %): the strengths are off by about that"
-                )
+                told += f", more than the resolution ({percent(self.resolution)}): the strengths are off by about that"
         return [told, *self.notes]
 
     def _page(self) -> Page:

@@ -16,6 +16,7 @@ from asymptotics.decays.identification.measuring.ringdown import observations_of
 from asymptotics.decays.identification.measuring.sampled import LEAST_SAMPLES, observations_of_motion
 from asymptotics.decays.identification.measuring.second_mode import without_second_modes
 from asymptotics.decays.identification.measuring.sensors import sensor_notes
+from asymptotics.decays.identification.measuring.slow_base_line import without_slow_base_line
 from asymptotics.decays.records.clock import runs_of, straightened
 from asymptotics.decays.records.repairs import releases, spikes
 from asymptotics.decays.records.rows import RowPlaces
@@ -138,8 +139,9 @@ def _decay(
     # What never changes has no period, which the search for a second mode asks for.
     if len(x) > 1 and not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name}, column {'xva'[_order(run)]}: all values are {x[0]:g}", "a motion")
+    x, slow = without_slow_base_line(t, x)
     x, lines = without_second_modes(t, x)
-    notes = (*notes, *lines)
+    notes = (*notes, *slow, *lines)
     if _order(run) == 0:
         swinging = moving(t, x, dominant_period(t, x)) if len(t) >= LEAST_SAMPLES else slice(None)
         rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]

@@ -24,13 +24,12 @@ with epsilon.
 (sqrt(2)*pi/4, 1, 3*sqrt(2)*pi/16)
 """
 
-from fractions import Fraction
 from math import prod
 
-from flint import fmpq
 from sympy import Add, Expr, Integer, Pow, Rational, gamma, pi, sqrt
 
 from asymptotics.errors import InputError
+from asymptotics.expansions.moments.written import integer_moment
 
 
 def moment(p: Expr | int) -> Expr:
@@ -64,21 +63,6 @@ def mean(a: Expr | int, b: Expr | int) -> Expr:
         return prod((Rational(k - 1) / (k + b) for k in range(2, int(a) + 1, 2)), start=moment(b))
     x, y = (a + 1) / 2, (b + 1) / 2
     return gamma(x) * gamma(y) / (pi * gamma(x + y))
-
-
-def integer_moment(p: int) -> tuple[Fraction, bool]:
-    """(q, over_pi): M_p = q for even p, q/pi for odd p, from M_p = (p-1)/p M_(p-2).
-
-    >>> integer_moment(4), integer_moment(5)
-    ((Fraction(3, 8), False), (Fraction(16, 15), True))
-    """
-    if p < 0:
-        raise InputError("p", f"{p} is negative", "an integer p >= 0")
-    # From M_0 = 1 or M_1 = 2/pi up (Wallis); fmpq, for these products reach large indices.
-    value = fmpq(2 if p % 2 else 1)
-    for k in range(2 + p % 2, p + 1, 2):
-        value *= fmpq(k - 1, k)
-    return Fraction(int(value.p), int(value.q)), p % 2 == 1
 
 
 def squaring_moment(alpha: Expr) -> Expr:

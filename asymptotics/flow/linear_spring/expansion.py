@@ -27,8 +27,9 @@ while |y - y_0| <= d the first holds, so that |dy/dw| <= w/p and the distance st
 ('[0.998043212541 +/- ...]', '[0.0625799720549 +/- ...]')
 """
 
-from dataclasses import dataclass
-from math import ceil, prod
+from dataclasses import dataclass, replace
+from itertools import zip_longest
+from math import ceil, lcm, prod
 from operator import mul
 
 from flint import arb, arb_poly
@@ -36,14 +37,17 @@ from flint import arb, arb_poly
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import dyadic, size_of, upper
 from asymptotics.flow.damping import Damping
+from asymptotics.flow.growing_product import GrowingProduct
 from asymptotics.flow.linear_spring.kept_terms import KeptTerms, plan_for, sums_below
 from asymptotics.flow.linear_spring.majorant import majorant
 from asymptotics.flow.linear_spring.rows import Row, rows_below
-from asymptotics.numbers.context import ctx
+from asymptotics.numbers.context import cached_property, ctx
 
 # Sums of at most about 3000 terms lose log2 of that many, 12 bits; the loss is in the balls anyhow.
 _SUMMED = 12  # bits more for sums of hundreds of terms
 _FAINTEST = 2.0**20  # -log2 of the least reach that is looked for
+_LONGEST = 400  # coefficients of a line for many speeds: of 3/2 a place costs a tenth of what it does by rows
+_NONE = arb(0)
 _STEPS = 4  # delta^(1/alpha) is rounded up to a quarter of a power of two: plans are shared
 
 
@@ -51,7 +55,7 @@ _STEPS = 4  # delta^(1/alpha) is rounded up to a quarter of a power of two: plan
 class TurningExpansion:
     """y(w) and tau(w)/w at the turning point ``y0`` for 0 <= w <= ``reach``, with the bounds of their tails.
 
-    ``terms`` many coefficients: of the powers of w^(1/q) on a ``line`` (y, tau/w), else of the ``rows``.
+    ``terms`` many coefficients: of the powers of w^(1/``root``) on a ``line`` (y, tau/w), else of the ``rows``.
     """
 
     damping: Damping
@@ -62,6 +66,7 @@ class TurningExpansion:
     rows: tuple[Row, ...]
     tail: arb
     time_tail: arb
+    root: int = 1
 
     @classmethod
     def at(cls, damping: Damping, y0: arb, w: arb | None = None) -> "TurningExpansion":
@@ -84,7 +89,7 @@ class TurningExpansion:
         # over |P_0|, as tau_(e+1) = Q_e/(e+1) is no larger.
         small = upper(factor * bound * abs(y0))
         slow = upper(factor * bound / (1 - bound) / abs(y0))
-        return cls(damping, y0, reach, plan, line, rows, small, slow)
+        return cls(damping, y0, reach, plan, line, rows, small, slow, plan.denominator)
 
     @classmethod
     def _short(cls, damping: Damping, y0: arb, reach: arb, plan: KeptTerms) -> "TurningExpansion":
@@ -98,7 +103,7 @@ class TurningExpansion:
     @property
     def terms(self) -> int:
         """How many terms are kept."""
-        return self.plan.count if self.line else sum(len(y) for _, y, _ in self.rows)
+        return sum(len(y) for _, y, _ in self.rows) if self.rows else self.plan.count
 
     def speed(self, _unit: arb) -> arb:
         """A bound of |(y', w')| within the reach, on both sides of the turning point: |P| <= 2 |P_0| where r < 1."""
@@ -123,12 +128,36 @@ class TurningExpansion:
         if not w <= self.reach:
             raise ValueError("the speed is beyond the reach of the expansion")
         if self.line is not None:
-            s = (w.log() / self.plan.denominator).exp()
+            s = w.root(self.root)
             y, slowness = (polynomial(s) for polynomial in self.line)
         else:
             with ctx.workprec(ctx.prec + _SUMMED):
                 y, slowness = self._by_rows(w)
         return y + arb(0, self.tail), w * (slowness + arb(0, self.time_tail))
+
+    @cached_property
+    def gathered(self) -> "TurningExpansion":
+        """The same at the current precision for many speeds: its rows on one line, where the exponents allow a short
+        one."""
+        if not self.rows or not all(a.is_rational for a in self.damping.alphas):
+            return self
+        q = lcm(*(a.rational.denominator for a in self.damping.alphas))
+        steps = [int(a.rational * q) for a in self.damping.alphas]
+        starts = [sum(map(mul, m, steps)) for m, _, _ in self.rows]
+        length = max(k + 2 * q * (len(row) - 1) for k, (_, row, _) in zip(starts, self.rows)) + 1
+        if length > _LONGEST:
+            return self
+        with ctx.workprec(ctx.prec + _SUMMED):
+            # In units of y_0 the monomial of a row is that of the exponents times the powers of epsilon_i/y_0.
+            shares = [e / self.y0 for e in self.damping.strengths]
+            square, ys, slow = 1 / self.y0**2, [arb(0)] * length, [arb(0)] * length
+            for k, (m, row, slow_row) in zip(starts, self.rows):
+                unit = prod((x**n for x, n in zip(shares, m)), start=arb(1))
+                for j, (a, b) in enumerate(zip_longest(row.coeffs(), slow_row.coeffs(), fillvalue=_NONE)):
+                    ys[k + 2 * q * j] += unit * a
+                    slow[k + 2 * q * j] += unit * b
+                    unit *= square
+            return replace(self, line=(arb_poly(ys) * self.y0, arb_poly(slow) * (1 / self.y0)), root=q)
 
     def _by_rows(self, w: arb) -> tuple[arb, arb]:
         """(y, tau/w) without the tails."""
@@ -221,16 +250,19 @@ def _on_a_line(damping: Damping, y0: arb, plan: KeptTerms) -> tuple[arb_poly, ar
     force = {int(a.rational * q): e for a, e in zip(damping.alphas, damping.strengths)}
     Q, y, reached = [1 / y0], [y0], sums_below(plan.count, (2 * q, *force))
     scale, none = -1 / y0, arb(0)
-    places: list[int] = []  # of the coefficients of P, after the first, that are not 0
+    # Where few coefficients vanish the product of P - P_0 and Q grows by blocks; elsewhere those that do are left out.
     P: list[arb] = []
+    dense = GrowingProduct(P, Q, plan.count) if 2 * sum(reached) > plan.count else None
+    places: list[int] = []  # of the coefficients of P, after the first, that are not 0
     for k in range(1, plan.count):
-        # The recurrence of the module's docstring with e = k/q; products with coefficients that vanish are not formed.
+        # The recurrence of the module's docstring with e = k/q.
         squared = k >= 2 * q and reached[k - 2 * q]
         y.append(-Q[k - 2 * q] * q / k if squared else none)
-        if squared or k in force:
+        if dense or squared or k in force:
             places.append(k)
             P.append(y[k] - force[k] if k in force else y[k])
-        Q.append(scale * sum(map(mul, P, [Q[k - f] for f in places]), none) if reached[k] else none)
+        found = dense.last() if dense else sum(map(mul, P, [Q[k - f] for f in places]), none) if reached[k] else none
+        Q.append(scale * found if reached[k] else none)
     return arb_poly(y), arb_poly([c * q / (k + q) for k, c in enumerate(Q)])
 
 

@@ -121,6 +121,11 @@ class WellExpansion:
         time = upper(wait)
         return upper(time * self.reach), upper(time * self.rate)
 
+    @property
+    def gathered(self) -> "WellExpansion":
+        """Itself: it is on one line."""
+        return self
+
     def state(self, w: arb) -> tuple[arb, arb]:
         """(u, tau) at the speed 0 <= w <= ``reach``; tau since (or, if negative, until) the turning point."""
         if w == 0:

@@ -71,7 +71,9 @@ class WellForce:
                 reason = f"{t.shape()} depends on the velocity: it is not enclosed at finite strength"
                 raise InputError("spring", reason, known)
             elif t.sign < 0 and t.strength.sign < 0:
-                raise InputError("b", f"{t.strength} is negative: anti-damping has no motion to rest", "b >= 0")
+                raise InputError(
+                    "strength", f"{t.strength} is negative: anti-damping has no motion to rest", "strengths >= 0"
+                )
             elif e != 0:
                 if t.sign > 0:
                     springs.append((e, t.position))

@@ -12,6 +12,7 @@ import pytest
 from asymptotics.decays.comparison import compare_file, truth
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
+from asymptotics.law_given import Given, given_of
 from asymptotics.shell.main import main
 from asymptotics.turning.choose import turning_points
 
@@ -25,7 +26,7 @@ EPSILON = 0.1
 
 def compared(tmp_path, data, law):
     examples.write(tmp_path / "mine.csv", *data)
-    return compare_file(tmp_path / "mine.csv", Oscillator(law))
+    return compare_file(tmp_path / "mine.csv", Given(Oscillator(law)))
 
 
 # --- the worked examples
@@ -100,7 +101,7 @@ def file_of(tmp_path, header, rows):
 
 def test_right_values_are_right_in_every_digit(tmp_path, table):
     rows = [f"{p.n},{p.x[:17]},{float(p.tau)!r}" for p in table.points]
-    found = compare_file(file_of(tmp_path, "n,x,tau", rows), Oscillator({2: "1/10"}))
+    found = compare_file(file_of(tmp_path, "n,x,tau", rows), Given(Oscillator({2: "1/10"})))
     assert found.certified
     assert found.summary["look"]["kind"] == "rounding"
     assert float(found.summary["worst_digits"]) > 13
@@ -108,7 +109,7 @@ def test_right_values_are_right_in_every_digit(tmp_path, table):
 
 def test_the_first_wrong_digit_is_marked(tmp_path, table):
     wrong = table.points[3].x[:9] + ("1" if table.points[3].x[9] != "1" else "5") + "00"
-    found = compare_file(file_of(tmp_path, "n,x", ["3," + wrong]), Oscillator({2: "1/10"}))
+    found = compare_file(file_of(tmp_path, "n,x", ["3," + wrong]), Given(Oscillator({2: "1/10"})))
     (row,) = found.rows
     assert row.certified.startswith(table.points[3].x[:20])
     assert row.marked.startswith(table.points[3].x[:8])
@@ -117,7 +118,7 @@ def test_the_first_wrong_digit_is_marked(tmp_path, table):
 
 
 def test_a_wrong_sign_has_no_digit_and_an_ended_motion_no_value(tmp_path):
-    found = compare_file(file_of(tmp_path, "n,x", ["1,0.4", "2,-0.2", "3,0.1"]), Oscillator({0: "3/10"}))
+    found = compare_file(file_of(tmp_path, "n,x", ["1,0.4", "2,-0.2", "3,0.1"]), Given(Oscillator({0: "3/10"})))
     assert [(row.digits, row.certified) for row in found.rows] == [
         ("0.00", "-0.40000000000000000000"), ("20.00", "-0.20000000000000000000"), ("0.00", None)]  # fmt: skip
     assert "turning point 2 is the last" in found.summary["ended"]
@@ -126,10 +127,10 @@ def test_a_wrong_sign_has_no_digit_and_an_ended_motion_no_value(tmp_path):
 def test_a_column_that_is_right_as_far_as_it_goes_says_nothing_about_errors(tmp_path, table):
     """Times to two digits, amplitudes 2 % too small: the law is wrong, and the times have not drifted."""
     rows = [f"{p.n},{float(p.x) * 0.98**p.n!r},{float(p.tau):.1f}" for p in table.points]
-    look = compare_file(file_of(tmp_path, "n,x,tau", rows), Oscillator({2: "1/10"})).summary["look"]
+    look = compare_file(file_of(tmp_path, "n,x,tau", rows), Given(Oscillator({2: "1/10"}))).summary["look"]
     assert look["kind"] == "wrong law"
     rows = [f"{p.n},{float(p.x):.2f},{float(p.tau) * 1.01!r}" for p in table.points]
-    look = compare_file(file_of(tmp_path, "n,x,tau", rows), Oscillator({2: "1/10"})).summary["look"]
+    look = compare_file(file_of(tmp_path, "n,x,tau", rows), Given(Oscillator({2: "1/10"}))).summary["look"]
     assert look["kind"] == "phase drift"
 
 
@@ -138,10 +139,10 @@ def test_units_scale_what_is_compared(tmp_path, table):
     p = table.points[2]
     rows = [f"2,{float(p.x) / 2!r},{float(p.tau) / 2!r}"]
     oscillator = Oscillator({2: "4/10"}, mass=2, stiffness=8, x0="1/2")
-    found = compare_file(file_of(tmp_path, "n,x [m],t [s]", rows), oscillator, si=True)
+    found = compare_file(file_of(tmp_path, "n,x [m],t [s]", rows), given_of(oscillator))
     assert all(float(row.digits) > 15 for row in found.rows)
-    moment = compare_file(file_of(tmp_path, "t [s],x [m]", ["0,0.5", "1,-0.19"]), oscillator, si=True)
-    dimensionless = compare_file(file_of(tmp_path, "tau,x", ["0,1", "2,-0.38"]), Oscillator({2: "1/10"}))
+    moment = compare_file(file_of(tmp_path, "t [s],x [m]", ["0,0.5", "1,-0.19"]), given_of(oscillator))
+    dimensionless = compare_file(file_of(tmp_path, "tau,x", ["0,1", "2,-0.38"]), Given(Oscillator({2: "1/10"})))
     assert float(moment.rows[1].certified) * 2 == pytest.approx(float(dimensionless.rows[1].certified), rel=1e-15)
     assert moment.rows[1].digits == dimensionless.rows[1].digits
 
@@ -174,21 +175,21 @@ def test_what_cannot_be_compared_is_refused(tmp_path, text, columns, words):
     path = tmp_path / "mine.csv"
     path.write_text(text)
     with pytest.raises(InputError, match=words):
-        compare_file(path, Oscillator({2: 1}), columns=columns)
+        compare_file(path, Given(Oscillator({2: 1})), columns=columns)
 
 
 def test_a_file_that_is_no_text_is_refused(tmp_path):
     (tmp_path / "a.csv").write_bytes(b"\xff\xfe\x00n,x")
     for path in (tmp_path / "a.csv", tmp_path / "missing.csv", tmp_path, Path("/dev/zero")):
         with pytest.raises(InputError, match="cannot read|device"):
-            compare_file(path, Oscillator({2: 1}))
+            compare_file(path, Given(Oscillator({2: 1})))
 
 
 def test_other_separators_comments_and_names(tmp_path):
     path = tmp_path / "mine.csv"
     path.write_text("# by hand\nstep;position;when\n0;1;0\n1;-0.41;3.381\n")
     for columns in ("n,x,tau", "n=step,x=position,tau=when", "n=1,x=2,tau=3"):
-        found = compare_file(path, Oscillator({2: 1}), columns=columns)
+        found = compare_file(path, Given(Oscillator({2: 1})), columns=columns)
         assert [(row.line, row.column) for row in found.rows] == [(3, "x"), (3, "tau"), (4, "x"), (4, "tau")]
 
 
@@ -202,7 +203,7 @@ def test_the_values_themselves_are_not_written_over(tmp_path, capsys):
 
 
 def test_the_rows_as_csv_and_as_a_picture(tmp_path):
-    found = compare_file(file_of(tmp_path, "n,x", ["0,1", "1,-0.42", "2,0.2635"]), Oscillator({2: 1}))
+    found = compare_file(file_of(tmp_path, "n,x", ["0,1", "1,-0.42", "2,0.2635"]), Given(Oscillator({2: 1})))
     rows = list(csv.DictReader(io.StringIO(found.to_csv())))
     assert [row["digits"] for row in rows] == [row.digits for row in found.rows]
     assert found.lost_digits()["x"][0] == [0, 1, 2]
@@ -222,7 +223,7 @@ def test_fractions_in_a_file_are_numbers(tmp_path):
 def test_a_record_in_si_may_begin_at_the_start(tmp_path):
     path = tmp_path / "lab.csv"
     path.write_text("t,x\n0,0.2\n0.1,0.18\n")
-    found = compare_file(path, Oscillator({2: "1/10"}, mass="3/2", stiffness=30, x0="1/5"), si=True)
+    found = compare_file(path, given_of(Oscillator({2: "1/10"}, mass="3/2", stiffness=30, x0="1/5")))
     assert found.certified
     assert found.rows[0].digits == "20.00"
 
@@ -233,6 +234,6 @@ def test_the_places_that_are_done_are_collected_once_a_pass(tmp_path, monkeypatc
     places = truth._Moments.places
     monkeypatch.setattr(truth._Moments, "places", lambda made: looks.append(1) or places(made))
     rows = [f"{k}/40,1/3" for k in range(200)]
-    found = compare_file(file_of(tmp_path, "tau,x", rows), Oscillator({2: "1/10"}))
+    found = compare_file(file_of(tmp_path, "tau,x", rows), Given(Oscillator({2: "1/10"})))
     assert len(found.rows) == 200
     assert 1 <= len(looks) <= len(truth._GUARDS) + 1

@@ -7,8 +7,8 @@ import pytest
 
 import asymptotics as asy
 from asymptotics.decays.identification.inverse_damping import Problem, as_zeta, columns, fitted
-from asymptotics.decays.identification.judging.grades import percent
 from asymptotics.errors import InputError
+from asymptotics.present.percent import percent
 from asymptotics.shell.main import main
 
 A = np.geomspace(0.05, 1, 12)

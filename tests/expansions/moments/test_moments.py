@@ -8,18 +8,28 @@ from flint import arb, fmpq
 
 from asymptotics.errors import InputError
 from asymptotics.expansions.moments import certified, symbolic
+from asymptotics.expansions.moments.written import integer_moment, written
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.exact import parse_real
 
 
 @pytest.mark.parametrize("p", range(9))
 def test_integer_moments_by_two_routes(p):
-    q, over_pi = symbolic.integer_moment(p)
+    q, over_pi = integer_moment(p)
     if p % 2 == 0:  # mean of sin^(2k) is binomial(2k, k)/4^k
         assert (q, over_pi) == (Fraction(comb(p, p // 2), 2**p), False)
     ball = certified.moment(arb(p))
     assert ball.overlaps(closed_form_ball(symbolic.moment(p)))
     assert not ball.overlaps(closed_form_ball(symbolic.moment(p + 1)))
+
+
+@pytest.mark.parametrize(
+    "p", [Fraction(n, d) for d in (1, 2, 3, 7, 30) for n in (-1, 1, 5, 12, 61) if Fraction(n, d) > -1] + [Fraction(999)]
+)
+def test_a_moment_is_written_as_sympy_writes_it(p):
+    """Character by character; of the next exponent it writes something else."""
+    text = str(symbolic.moment(sympy.Rational(p.numerator, p.denominator)))
+    assert written(p) == text != written(p + 1)
 
 
 @pytest.mark.parametrize("p", ["1/2", "5/2", "7/3", "-1/2", "sqrt(2)"])

@@ -1,10 +1,11 @@
 """The expansion at a turning point: its tail, its speeds, and one term alone for exponents near 0."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import mpmath
 import pytest
-from flint import arb, ctx
+from flint import arb, arb_poly, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import UndecidedError
@@ -139,6 +140,51 @@ def test_the_tail_of_the_expansion(law, y0):
     tail, time_tail = _tails(d, few)
     assert 0.999 * tail <= float(few.tail) <= 1.02 * tail
     assert 0.999 * time_tail <= float(few.time_tail) <= 1.03 * time_tail
+
+
+@pytest.mark.parametrize("law", [(("3/2", "1/5"),), (("3/2", "1/5"), ("5/3", "1/3"))])
+@pytest.mark.parametrize("y0", [arb("0.75"), arb("-0.375")])
+def test_many_speeds_from_one_line(law, y0):
+    """The same terms in another order: both hold 200 bits, and a coefficient that is moved by one place does not."""
+    d = damping_of(*law)
+    with ctx.workprec(200):
+        fine = TurningExpansion.at(d, y0)
+    with ctx.workprec(90):
+        rows = TurningExpansion.at(d, y0)
+        line = rows.gathered
+        assert rows.line is None and line.line is not None and line.terms == rows.terms
+        for share in (1, "0.5", "0.01"):
+            w = (min(rows.reach, fine.reach) * arb(share)).mid()
+            truth = fine.state(w)
+            for found in (rows.state(w), line.state(w)):
+                assert all(x.overlaps(y) and x.rad() < arb(2) ** -80 for x, y in zip(found, truth))
+        moved = replace(line, line=tuple(p.left_shift(1) for p in line.line))
+        assert not any(x.overlaps(y) for x, y in zip(moved.state(w), truth))
+
+
+@pytest.mark.parametrize("law", [(("3/2", "1/5"),), (("1", "1/20"), ("3", "1/5")), (("2", "1/5"),)])
+def test_a_line_solves_its_equations(law):
+    """P Q = 1 and dy/dw = -w Q to the last coefficient, whole or with zeros left out; one that is off is noticed."""
+    d = damping_of(*law)
+    with ctx.workprec(300):
+        found = TurningExpansion.at(d, arb("0.75"))
+        (y, slow), q = found.line, found.root
+        force = {int(a.rational * q): e for a, e in zip(d.alphas, d.strengths)}
+        P = arb_poly([c - force.get(k, 0) for k, c in enumerate(y)])
+        Q = arb_poly([c * (k + q) / q for k, c in enumerate(slow)])
+        count = min(len(P), len(Q))
+        ones = [c.contains(int(k == 0)) for k, c in enumerate((P * Q).coeffs()[:count])]
+        assert count > 200 and ones == [True] * count
+        assert all((y[k] * k / q + Q[k - 2 * q]).contains(0) for k in range(2 * q, count))
+        Q[count // 2] += arb(2) ** -200
+        assert not (P * Q)[count // 2].contains(0)
+
+
+@pytest.mark.parametrize("law", [(("sqrt(2)", "1/5"),), (("37/20", "1/5"),), (("3/2", "1/5"), ("5/2", "1/3"))])
+def test_an_expansion_that_has_no_short_line_or_is_on_one_stays_as_it_is(law):
+    with ctx.workprec(90):
+        found = TurningExpansion.at(damping_of(*law), arb(1))
+        assert found.gathered is found
 
 
 @pytest.mark.parametrize("law", [NOTHING, (("3/2", "1/2"),), (("0", "1/10"), ("2", "1"))])

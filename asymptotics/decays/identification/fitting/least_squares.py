@@ -111,6 +111,12 @@ class Model:
         """The times of the turning points 0 ... last, where there are times."""
         return np.asarray(theta[-1] + np.exp(-theta[-2]) * self._sequence(theta).tau)
 
+    def periods(self, theta: Array) -> tuple[Array, Array]:
+        """Twice the time from each turning point to the next, and its derivatives (half-swings, parameters)."""
+        run, rate = self._sequence(theta), np.exp(-theta[-2])
+        slopes = 2 * np.diff(self._time_slopes(rate, run.tau, run.d_tau), axis=0)
+        return 2 * rate * np.diff(run.tau), slopes
+
     def predict(self, theta: Array) -> tuple[Array, Array]:
         """The predicted data and their derivatives (data, parameters); TooStrongError outside the model's domain."""
         seen, after = self.seen, self.after

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 from asymptotics.decays.identification.forward.coefficients import Element, swing_coefficients
 from asymptotics.decays.identification.judging.laws import Judged
+from asymptotics.present.percent import percent
 from asymptotics.present.shown import Shown
 
 WEAK = 0.2
@@ -32,7 +33,7 @@ class Allowance(Shown):
     def __str__(self) -> str:
         if self.largest is None:
             return f"{self.term} without limit"
-        part = "" if self.share is None else f" ({_percent(self.share)} %)"
+        part = "" if self.share is None else f" ({percent(self.share)})"
         return f"{self.term} up to {self.largest:.2g}{part}"
 
     def to_dict(self) -> dict[str, str | None]:
@@ -94,10 +95,6 @@ def _allowance(chosen: Judged, law: Judged, term: Element, first: float | None) 
     losses = zip(chosen.candidate.elements, chosen.epsilon)  # losses stand first
     total = sum(_first_order(e) * first**e.weight * ends.estimate for e, ends in losses)
     return Allowance(name, largest, own / total if total > 0 else None)
-
-
-def _percent(share: float) -> str:
-    return f"{100 * share:.2g}" if share < 1 else f"{100 * share:.0f}"
 
 
 def _first_order(term: Element) -> float:

@@ -20,6 +20,7 @@ from asymptotics.decays.identification.fitting.least_squares import Fit
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.measuring.criteria import bic, chosen
+from asymptotics.present.percent import percent
 
 ADEQUATE = 0.10
 """A choice, told to the user with the share itself: a law that misses a tenth of the loss is still of use."""
@@ -101,8 +102,3 @@ def off(share: float) -> str:
     ('12 % off on average', 'off by more than the whole of it')
     """
     return f"{percent(share)} off on average" if share < 1 else "off by more than the whole of it"
-
-
-def percent(share: float) -> str:
-    """A share in percent, to two digits."""
-    return f"{100 * share:.2g} %"

@@ -21,6 +21,7 @@ import numpy as np
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.demodulation import SpectralLine, demodulated
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
+from asymptotics.present.percent import percent
 
 _LEAST, _PER_PERIOD, _MOST = 200, 12.0, 6_000
 """Samples in all and in a period, below which overtones appear at other places; and as many as the fit is given."""
@@ -32,7 +33,7 @@ _NEAR, _SIDE, _LOW, _HEIGHT = 3, 10, 0.3, 6.0
 _SLOW = 5
 """Coefficients of both modulations in the rough fit, which only takes the line away from the motion: few, or that of
 the motion would follow the line."""
-_SMALLEST, _DEGREES, _WORTH = 2e-3, 6, 60.0
+_SMALLEST, _DEGREES, WORTH = 2e-3, 6, 60.0
 """A line below 2/1000 of the motion in the spectrum moves no verdict, and is not looked at; its own modulation has
 degree 6 at most, lower than that of the motion; and it must lower the criterion by 60, a likelihood e^30 times as
 large, for what is taken off in error is signal that is lost."""
@@ -78,7 +79,7 @@ def _peak(t: Array, x: Array) -> tuple[float, float] | None:
     # The odd overtone nearest to each bin: those of a symmetric force.
     odd = 2 * np.floor(k / main / 2) + 1
     k = k[np.abs(k - odd * main) > np.maximum(far * odd * main, _NEAR)]
-    # Why half of _SMALLEST is not recorded: it decides what is looked at, and _WORTH what is taken off.
+    # Why half of _SMALLEST is not recorded: it decides what is looked at, and WORTH what is taken off.
     k = k[(power[k] >= power[k - 1]) & (power[k] >= power[k + 1]) & (power[k] > _SMALLEST * power[main] / 2)]
     if not len(k):
         return None
@@ -116,7 +117,7 @@ def _slope(y: Array, size: Array) -> float:
 
 
 def line_beside(
-    t: Array, x: Array, omega: float, other: float, worth: float = _WORTH
+    t: Array, x: Array, omega: float, other: float, worth: float = WORTH
 ) -> tuple[Array, str, float] | None:
     """(the line at all samples, its description, its frequency) from a fit of the motion and the line together; None if
     it does not lower the criterion by ``worth``."""
@@ -133,7 +134,7 @@ def line_beside(
     line = _line(t, other)
     Q = np.linalg.qr(np.concatenate([main, line[some]], axis=1))[0]
     left = X - Q[:, : main.shape[1]] @ (Q[:, : main.shape[1]].T @ X)
-    # Without the line: the criterion that it has to beat by _WORTH.
+    # Without the line: the criterion that it has to beat by WORTH.
     criteria = [len(T) * np.log(float(left @ left) / len(T)) - worth]
     for place in range(main.shape[1], Q.shape[1], 2):
         # Cosine and sine of one degree together: Akaike's 2 for each.
@@ -145,7 +146,7 @@ def line_beside(
     c = solved(main, line[some, :columns], X)[main.shape[1] :]
     first_sign = (-1.0) ** np.arange(columns // 2)  # Chebyshev's polynomials at the beginning
     size = float(np.hypot(*(first_sign @ c.reshape(-1, 2)))) / float(first.at(T)[0][0])
-    said = f"a second mode at {other:.4g} rad a unit of time, {100 * size:.2g} % of the first at the beginning"
+    said = f"a second mode at {other:.4g} rad a unit of time, {percent(size)} of the first at the beginning"
     taken = line[:, :columns] @ c
     # A line larger than the record itself is one of two that cancel: the fit has not told it from the motion.
     if float(np.abs(taken).max()) > float(np.ptp(x)) / 2:

@@ -10,6 +10,7 @@
 import numpy as np
 
 from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.present.percent import percent
 
 _FEWEST, _SHARE, _WHOLE = 50, 0.5, 1e-3
 """Samples below which nothing is said; a step is seen where less than half of the values differ, for a fine step hides
@@ -36,7 +37,7 @@ def sensor_notes(t: Array, x: Array) -> list[str]:
     scatter = float(near.std()) / np.sqrt(2) / usual if len(near) > 0.9 * len(gaps) and usual > 0 else 0.0
     if _EVEN < scatter < _UNEVEN:
         said = "taken as they are; an error of the clock would be noise"
-        notes.append(f"time stamps scatter by {100 * scatter:.2g} % of their spacing: {said}")
+        notes.append(f"time stamps scatter by {percent(scatter)} of their spacing: {said}")
     return notes
 
 

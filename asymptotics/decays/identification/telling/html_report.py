@@ -8,8 +8,7 @@ escaped.
 """
 
 import platform
-from collections.abc import Iterable, Mapping, Sequence
-from html import escape
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from string import Template
 
@@ -20,14 +19,14 @@ from asymptotics import __version__
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.telling.result import Identification
-from asymptotics.errors import InputError, printable
+from asymptotics.errors import InputError
 from asymptotics.made_by import line as made_by_line
 from asymptotics.numbers.policy import Number
+from asymptotics.present.page import figure, page, table, text
+from asymptotics.present.signs import signs
 from asymptotics.running.public import public
 
 _TEMPLATE = Path(__file__).with_name("report.html")
-_LONG = 2000
-"""Characters of one text: a cell of a file may be as long as the file."""
 _READING = (
     "Intervals are 95 % and hold under the law of their row, with independent noise, or noise as correlated as the "
     "residuals are; certified sets hold every solution. Strengths epsilon refer to x0 = 1 unit of the data. "
@@ -62,7 +61,7 @@ def html_report(
         "title": text(f"Which damping law? {names}"),
         "verdict": text(answer.verdict.text),
         "telling": "".join(f"<p>{text(line)}</p>" for line in (*answer.lines, answer.verdict.telling) if line),
-        "equation": f"<code>{text(answer.best.law.candidate.formula())}</code>",
+        "equation": signs(text(answer.best.law.candidate.formula())),
         "pictures": "".join(_pictures(answer)),
         "laws": table(("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]", "why"), reasons, ""),
         "reading": text(_READING),
@@ -71,19 +70,7 @@ def html_report(
         "notes": "<ul>" + "".join(f"<li>{text(note)}</li>" for note in answer.notes) + "</ul>",
         "provenance": table(("", ""), lines.items(), ""),
     }
-    return Template(_TEMPLATE.read_text(encoding="utf-8")).substitute(fields)
-
-
-def text(given: str) -> str:
-    """Text that HTML shows as it stands."""
-    return escape(printable(given, _LONG), quote=True)
-
-
-def table(head: Sequence[str], rows: Iterable[Sequence[str]], caption: str) -> str:
-    """A table of texts."""
-    cells = "".join("<tr>" + "".join(f"<td>{text(c)}</td>" for c in row) + "</tr>" for row in rows)
-    top = "<tr>" + "".join(f"<th>{text(c)}</th>" for c in head) + "</tr>" if any(head) else ""
-    return f"<table>{f'<caption>{text(caption)}</caption>' if caption else ''}{top}{cells}</table>"
+    return page(f"Which damping law? {names}", Template(_TEMPLATE.read_text(encoding="utf-8")).substitute(fields))
 
 
 def _pictures(answer: Identification) -> Iterable[str]:
@@ -93,9 +80,8 @@ def _pictures(answer: Identification) -> Iterable[str]:
         except InputError as error:
             yield f"<p>No picture: {text(error.reason)}.</p>"
             continue
-        label = text(f"decay, decrement against amplitude, residuals and profiles of {one.runs[0].name or 'the data'}")
-        # Without the XML declaration, which may not stand inside a page.
-        yield f'<figure role="img" aria-label="{label}">{drawn[drawn.index("<svg") :]}</figure>'
+        name = one.runs[0].name or "the data"
+        yield figure(drawn, f"decay, decrement against amplitude, residuals and profiles of {name}")
 
 
 def _textbook(answer: Identification) -> str:

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from asymptotics.decays.identification.forward.candidates import FREE, loss_in_words
-from asymptotics.decays.identification.judging.grades import percent
 from asymptotics.decays.identification.judging.laws import Judged
 from asymptotics.decays.identification.telling.equivalents import measured_ends, ratios, shares
+from asymptotics.present.percent import percent
 
 
 def in_words(found: dict[str, Any] | None, unit: str) -> str:

@@ -2,7 +2,8 @@
 
 ``draw_panels`` draws four panels: the samples over time with the turning points and the envelope of the best law; the
 classical plot of decrement against mean amplitude, with the band of the 95 % region for the laws of the verdict, those
-that coincide as one; the residuals; the profile of each strength.  matplotlib is loaded when a picture is asked for.
+that coincide as one; the residuals; the profile of each strength.  Where there are times, a fifth shows the backbone
+(``drawn_backbone``).  matplotlib is loaded when a picture is asked for.
 """
 
 from textwrap import wrap
@@ -17,6 +18,7 @@ from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.judging.grades import off
 from asymptotics.decays.identification.judging.laws import Judged
 from asymptotics.decays.identification.measuring.observations import Indices
+from asymptotics.decays.identification.telling.drawn_backbone import draw_backbone
 from asymptotics.decays.identification.telling.law_answer import shown_interval
 from asymptotics.decays.records.units import SECONDS
 from asymptotics.errors import InputError
@@ -38,19 +40,23 @@ def shown_laws(answer: Any) -> list[Judged]:
 
 
 def draw_panels(answer: Any, axes: Any) -> None:
-    """The four panels in the place of ``axes``, the verdict above them."""
+    """The panels in the place of ``axes``, the verdict above them."""
     shown, figure, place = shown_laws(answer), axes.figure, axes.get_subplotspec()
     if place is None:
         raise InputError("ax", "these axes are not in a grid that could be divided", "axes of plt.subplots()")
-    grid = place.subgridspec(2, 2)
+    timed = _fit_of(shown[0]).model.seen.has_times
+    grid = place.subgridspec(2, 3 if timed else 2)
     axes.set_subplotspec(grid[0, 0])
-    classical, residuals, profile = (figure.add_subplot(grid[k]) for k in ((0, 1), (1, 0), (1, 1)))
+    wide = (1, slice(1, None))
+    classical, residuals, profile = (figure.add_subplot(grid[k]) for k in ((0, 1), (1, 0), wide))
     said = [line for text in (answer.verdict.text, answer.quality_in_words) for line in wrap(text, 110)]
     figure.suptitle("\n".join(said), fontsize=11)
     _decay(axes, shown[0], answer.units.unit)
     draw_decrements(classical, shown, answer.units.unit)
     _residuals(residuals, shown[0])
     _profile(profile, shown[0])
+    if timed:
+        draw_backbone(figure.add_subplot(grid[0, 2]), shown, answer.units.unit)
 
 
 def _fit_of(law: Judged) -> Fit:

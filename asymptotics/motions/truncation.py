@@ -41,11 +41,11 @@ class State:
     s: arb
     psi: arb
 
-    def turning_point(self, frame: "Frame") -> tuple[arb, arb]:
+    def turning_point(self, frame: "Truncation") -> tuple[arb, arb]:
         """(s, psi) in the turning-point gauge."""
         return self.s - frame.back_modulus(self.s), self.psi + frame.back_argument(self.s)
 
-    def point(self, frame: "Frame") -> acb:
+    def point(self, frame: "Truncation") -> acb:
         """The state as one number X - i X', of modulus e^(-s) |Z|."""
         s, psi = self.turning_point(frame)
         Z = sum(frame.terms(self).values(), acb(1))
@@ -53,7 +53,7 @@ class State:
 
 
 @dataclass(frozen=True)
-class Frame:
+class Truncation:
     """Everything that order and gauge fix at the current precision, in units of length and tau."""
 
     order: int
@@ -68,7 +68,7 @@ class Frame:
     back_argument: ExponentialSum
 
     @classmethod
-    def of(cls, oscillator: Oscillator, order: int, gauge: str) -> "Frame":
+    def of(cls, oscillator: Oscillator, order: int, gauge: str) -> "Truncation":
         """From the certified expansion through ``order``; only midpoints are used."""
         # Certified coefficients, of which the midpoints are kept: the truncation is the error that counts, and it is
         # estimated.

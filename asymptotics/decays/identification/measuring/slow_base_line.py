@@ -1,0 +1,81 @@
+"""A base line that wanders (a draught, a creeping support, a warming sensor): measured beside the motion and taken off.
+
+An offset and a drift belong to every fit.  What wanders slower than half the frequency of the motion is no part of a
+decay either, however it is shaped: no odd force makes it.  The motion (``demodulation``) and the cosines of at most
+half its frequency,
+
+    x(t) = base + drift u + Re(P(u) e^(i w t)) + Re(Q(u) e^(3 i w t)) + sum_k c_k cos(k pi (1 + u)/2),   u in [-1, 1],
+
+are fitted together, so many cosines as Akaike's criterion chooses, and their sum is taken off where it stands out:
+of noise, white or with a memory of less than a period, the slow part is about as loud as what lies between it and the
+motion.  So it must be louder than that by far.
+
+>>> t = np.arange(0, 150, 0.1)
+>>> pure, base = np.exp(-0.01 * t) * np.cos(t), 0.05 / (1 + np.exp(-(t - 110) / 4))
+>>> noise = 1e-3 * np.random.default_rng(0).standard_normal(len(t))
+>>> rest, notes = without_slow_base_line(t, pure + base + noise)
+>>> left = rest - pure - noise
+>>> bool(np.abs(left - np.polyval(np.polyfit(t, left, 1), t)).max() < 1e-3), notes
+(True, ('the base line wanders by up to 0.02 beside its drift: measured and taken off',))
+>>> without_slow_base_line(t, pure + noise)[1]
+()
+"""
+
+import numpy as np
+
+from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.decays.identification.measuring.demodulation import SpectralLine, demodulated
+from asymptotics.decays.identification.measuring.main_frequency import dominant_period
+from asymptotics.decays.identification.measuring.second_mode import WORTH, motion_columns, solved
+
+_LEAST, _PERIODS, _MOST = 200, 6.0, 6_000
+"""Samples, and periods of the record, below which slow and fast are not apart; as many samples as the fit is given."""
+_FASTEST, _BETWEEN = 0.5, 0.8
+"""The frequencies of the cosines end at half that of the motion; from there to 0.8 of it, noise alone is seen."""
+_ROUGH = 5
+"""Coefficients of the modulation in the rough fit: few, as in ``second_mode``."""
+_LOUDER = 25.0
+"""By how much the mean square of the slow coefficients exceeds that of those between: five times the size.  A choice:
+AR(1) noise whose correlation falls to 1/e in half a period has 3.5, and what is taken off in error is signal lost."""
+
+
+def without_slow_base_line(t: Array, x: Array) -> tuple[Array, tuple[str, ...]]:
+    """The record without what wanders beside its drift, and a note where there is such a thing."""
+    if len(t) < _LEAST or not np.ptp(x) > 0:
+        return x, ()
+    omega = 2 * np.pi / dominant_period(t, x)
+    periods = float(t[-1] - t[0]) * omega / (2 * np.pi)
+    some = slice(None, None, -(-len(t) // _MOST))
+    T, X = t[some], x[some]
+    if periods < _PERIODS or len(T) < 4 * periods:
+        return x, ()
+    slow = int(2 * _FASTEST * periods)
+    waves = _cosines(t, int(2 * _BETWEEN * periods))
+    rough = motion_columns(SpectralLine(T, omega, np.zeros(_ROUGH), np.zeros(1), 0.0, 0.0, 0.0), T)
+    first = X - waves[some, :slow] @ solved(rough, waves[some, :slow], X)[rough.shape[1] :]
+    # Without it, or the modulation of the motion would follow it.
+    main = motion_columns(demodulated(T, first, 2 * np.pi / omega), T)
+    # Orthonormal columns: noise has the same share in each.
+    along = np.linalg.qr(np.concatenate([main, waves[some]], axis=1))[0].T @ X
+    power = along[main.shape[1] :] ** 2
+    Q = np.linalg.qr(main)[0]
+    left = float(((X - Q @ (Q.T @ X)) ** 2).sum()) - np.concatenate([[0.0], np.cumsum(power[:slow])])
+    count = np.arange(slow + 1)
+    criteria = len(T) * np.log(np.maximum(left, 1e-300) / len(T)) + 2.0 * count + np.where(count, WORTH, 0.0)
+    chosen = int(np.argmin(criteria))
+    if not chosen or power[:chosen].mean() < _LOUDER * power[slow:].mean():
+        return x, ()
+    c = solved(main, waves[some, :chosen], X)[main.shape[1] :]
+    taken = waves[:, :chosen] @ c
+    taken = taken - np.polynomial.Polynomial.fit(t, taken, 1)(t)
+    size = float(np.abs(taken).max())
+    # As in ``second_mode``: larger than the record itself, it is one of two that cancel.
+    if size > float(np.ptp(x)) / 2:
+        return x, ()
+    return x - taken, (f"the base line wanders by up to {size:.2g} beside its drift: measured and taken off",)
+
+
+def _cosines(t: Array, count: int) -> Array:
+    """cos(k pi s), k = 1 ... count, s from 0 to 1 over the record."""
+    place = (t - t[0]) / (t[-1] - t[0])
+    return np.asarray(np.cos(np.pi * place[:, None] * np.arange(1, count + 1)))

@@ -1,0 +1,79 @@
+"""The page of --html of every question: formulas are MathML, nothing is program text, nothing is fetched."""
+
+import re
+import shlex
+import sys
+
+import pytest
+
+from asymptotics.ask.registry import QUESTIONS
+from asymptotics.errors import InputError
+from asymptotics.present.letters import MEANINGS, letters
+from asymptotics.present.page import mathml, told
+from asymptotics.shell.main import main
+from tests.every_question import example
+
+FULL = {  # with formulas that the examples, which are answered at once, do not have
+    "derive": "smith-turning-points",
+    "motion": "--alpha 2 --epsilon 1/10 --time 1 --bound --order 2",
+    "solution": "--alpha 2 --epsilon 1/10 --order 2 --time 7",
+    "limit-cycle": "--law 1:-1 --law 3:1 --mu 1/10 --order 2 --digits 5",
+    "multiple-scales": "--alpha 2 --order 1",
+    "envelope": "--law 1:1/10 --law 2:1/20 --digits 5",
+}
+FORMULAS = [n for n in QUESTIONS if n not in ("compare", "identify", "sweep", "table", "papers", "smith")]
+
+
+@pytest.fixture
+def page(tmp_path, capsys):
+    def written(name):
+        path = tmp_path / f"{name}.html"
+        words = [name, *shlex.split(FULL[name])] if name in FULL else example(name, tmp_path)
+        assert main([*words, "--html", str(path), "--quiet"]) in (0, 1), capsys.readouterr()
+        return path.read_text(encoding="utf-8")
+
+    return written
+
+
+@pytest.mark.parametrize("name", QUESTIONS)
+def test_every_question_has_a_page(page, name):
+    html = page(name)
+    seen = re.sub(r"<svg.*?</svg>|<style.*?</style>", "", html, flags=re.DOTALL)
+    assert "\\" not in seen and "**" not in seen and "$" not in seen.replace("US$", ""), "program text on the page"
+    assert not re.search(r"<script|https?://(?!www\.w3\.org)[^\s\"<]*\"", seen), "something is fetched"
+    assert "Provenance" in seen and "power-law-oscillator" in seen
+    assert ("<math" in seen) or name not in FORMULAS
+    assert ("<svg" in html) or "No picture" in html or name not in ("damping", "motion", "turning-points", "response")
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_the_letters_of_its_formulas_are_explained(page, name):
+    """Each letter that the page sets in a formula stands in the line below, unless it names a function or a unit."""
+    html = page(name)
+    explained = html.partition('<p class="small">where')[2].partition("</p>")[0]
+    assert explained or name in ("derive", "moment")
+    shown = set(re.findall(r"<mi[^>]*>([A-Za-zα-ωΔΛ])</mi>", re.sub(r"<p class.*?</p>", "", html, flags=re.DOTALL)))
+    missing = {x for x in shown if f">{x}</mi>" not in explained} - {"d", "π", "e", "D", "q"}  # c_eq
+    assert not missing or name == "derive", missing  # a derivation explains its own letters, line by line
+
+
+def test_hostile_text_stays_text(tmp_path, capsys):
+    path = tmp_path / "<b>x.csv"
+    path.write_text("n,x\n0,1\n1,-0.8766\n")
+    page = tmp_path / "page.html"
+    assert main(["compare", str(path), "--alpha", "2", "--epsilon", "1/10", "--html", str(page), "--quiet"]) == 0
+    assert "<b>" not in page.read_text() and "&lt;b&gt;" in page.read_text()
+
+
+def test_columns_are_a_table_and_words_are_not():
+    assert told(["a  b", "c  d", "one blank"]).count("<tr>") == 2 and told(["one blank"]) == "<p>one blank</p>"
+
+
+def test_without_the_extra_it_is_refused_by_name(monkeypatch):
+    monkeypatch.setitem(sys.modules, "latex2mathml.converter", None)
+    with pytest.raises(InputError, match="extra report"):
+        mathml("x")
+
+
+def test_a_letter_without_a_meaning_would_be_seen():
+    assert letters(r"\rho q_1") - set(MEANINGS)

@@ -1,0 +1,70 @@
+"""A base line that wanders: what is taken off, what is not, and what it does to a verdict."""
+
+import numpy as np
+import pytest
+
+from asymptotics.decays.identification import sources
+from asymptotics.decays.identification.identify import identified
+from asymptotics.decays.identification.measuring.slow_base_line import without_slow_base_line
+from benchmarks.decays import decay
+
+T = np.arange(0, 150, 0.1)
+PURE = np.exp(-0.01 * T) * np.cos(T)
+NOISE = 1e-3 * np.random.default_rng(4).standard_normal(len(T))
+
+
+def beside_a_line(x):
+    return np.abs(x - np.polynomial.Polynomial.fit(T, x, 1)(T)).max()
+
+
+@pytest.mark.parametrize(
+    "base",
+    [
+        0.05 / (1 + np.exp(-(T - 110) / 4)),  # a step that takes a period
+        0.03 * np.sin(0.12 * T + 1),
+        0.04 * np.exp(-((T - 100) ** 2) / 200),
+    ],
+)
+def test_what_wanders_is_taken_off_and_told(base):
+    rest, notes = without_slow_base_line(T, PURE + base + NOISE)
+    assert beside_a_line(rest - PURE - NOISE) < 2e-3 < beside_a_line(base) / 5
+    assert len(notes) == 1
+    assert "wanders" in notes[0]
+
+
+def remembering(rho, size, seed=0):
+    drawn = np.random.default_rng(seed).standard_normal(len(T))
+    for i in range(1, len(T)):
+        drawn[i] = rho * drawn[i - 1] + np.sqrt(1 - rho**2) * drawn[i]
+    return size * drawn
+
+
+@pytest.mark.parametrize(
+    "x",
+    [
+        PURE,
+        PURE + NOISE,
+        PURE + NOISE + 0.2 - 0.001 * T,  # offset and drift belong to the fit
+        PURE + remembering(0.95, 0.01),
+        np.exp(-0.1 * T) * np.cos(T) + NOISE,  # hardly two periods are seen
+        np.cos(T) / (1 + 0.1 * T) + NOISE,
+        np.maximum(1 - 0.01 * T, 0) * np.cos(T) + 0.01 * (T > 100) + NOISE,  # at rest, off centre by a hundredth
+        PURE + 0.05 * np.cos(0.7 * T) + NOISE,  # a second mode
+        (PURE + NOISE)[:190],  # too few samples
+        np.ones(len(T)),
+    ],
+)
+def test_a_decay_is_left_alone(x):
+    rest, notes = without_slow_base_line(T[: len(x)], x)
+    assert notes == ()
+    assert (rest == x).all()
+
+
+def test_the_right_law_stands_with_an_unquiet_tail(monkeypatch):
+    made = decay("unquiet tail", 11, 77005)
+    law = identified(made.data, laws=[made.law]).law(made.law).law
+    assert law.verdict == "consistent"
+    assert law.epsilon[0].contains(made.strengths[0])
+    # Without it the disturbance is what the law leaves.
+    monkeypatch.setattr(sources, "without_slow_base_line", lambda _, x: (x, ()))
+    assert identified(made.data, laws=[made.law]).law(made.law).law.verdict == "refuted"
