@@ -30,6 +30,7 @@ TOLD = {
     "asymptotics/numbers/policy.py: parse_rational": "the text of a float is its value: the shortest decimal",
     "asymptotics/decays/identification/certified_sets/table_rows.py: Fraction": "the same",
     "asymptotics/numbers/double_error.py: Fraction": "an error of two digits, which is what it prints",
+    "asymptotics/present/percent.py: Decimal": "two digits of a share, which are what is printed, without an exponent",
     "asymptotics/curves/motion_table.py: Fraction": "a row is at the time that it prints",
     "asymptotics/testing/oracles.py: Fraction": "twenty decimals of the middle of a ball, for an oracle in doubles",
 }

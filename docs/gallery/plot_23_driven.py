@@ -18,8 +18,9 @@ for alpha in ("1/2", "1", "2", "3"):
 # Four laws of one strength under one force.  The response is certified from exponent 1 on; the amplitude at resonance
 # grows with the force to the power 1/alpha:
 
+ratios = []
 for alpha in ("1", "2", "3"):
     weak, strong = (asy.response({alpha: "1/5"}, force, 1, digits=9) for force in ("1/10", "1/5"))
-    ratio = float(strong.amplitude) / float(weak.amplitude)
-    print(alpha, round(ratio, 3), strong.first_order.resonance["Q_decay"], strong.first_order.resonance["Q_width"])
-    assert abs(ratio - 2 ** (1 / float(alpha))) < 0.01 * ratio
+    ratios.append(float(strong.amplitude) / float(weak.amplitude))
+    print(alpha, round(ratios[-1], 3), strong.first_order.resonance["Q_decay"], strong.first_order.resonance["Q_width"])
+assert all(abs(ratio - 2 ** (1 / alpha)) < 0.01 * ratio for ratio, alpha in zip(ratios, (1, 2, 3)))

@@ -98,7 +98,7 @@ def test_after_200_periods_two_far_starts_are_on_it(count):
             continue
         tried, A = tried + 1, float(found.amplitude)
         for start in ((4 * A, -3 * A * omega), (-7 * A, 0)):
-            own = motion(law, force, omega, start, 200, rtol=1e-9).y[:, -1]
+            own = motion(law, force, omega, start, 200, rtol=1e-11).y[:, -1]
             off = abs(own[0] - float(found.x0)) + abs(own[1] - float(found.v0)) / omega
             assert off < 1e-7 * A, (law, force, omega, start, off)
             # Near miss: the state to first order.
