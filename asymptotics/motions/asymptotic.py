@@ -105,12 +105,8 @@ class AsymptoticMotion:
 
     def sample(self, t: Array) -> MotionSamples:
         """The motion at an array of times (s, doubles).  NaN stays in its place; a negative time is an InputError."""
-        times, missing = _times(t)
+        times, missing, flat = self._taus(t)
         omega, length = (float(x) for x in (self.oscillator.omega_0(), self.oscillator.length()))
-        flat = np.where(missing, 0.0, times).ravel()
-        if flat.max(initial=0.0) > _NO_PHASE / omega:
-            raise InputError("time", f"{flat.max():g} s: a double has no phase there", "omega_0 t < 2^53, or at(t)")
-        flat = flat * omega
         columns = self._doubles.evaluate(flat)
         latest = float(flat.max(initial=0.0))
         last, extinction = last_swing(self._doubles, latest), self._doubles.slow(latest).extinction
@@ -131,11 +127,16 @@ class AsymptoticMotion:
 
     def phases(self, t: Array) -> Array:
         """phi of the slow flow at an array of times t >= 0 in s, which knows no end by friction; doubles."""
-        times = np.asarray(t, dtype=float)
-        known = np.isnan(times)
-        omega = float(self.oscillator.omega_0())
-        found = self._doubles.phases(np.where(known, 0.0, times).ravel() * omega).reshape(times.shape)
-        return np.where(known, np.nan, found)
+        times, missing, flat = self._taus(t)
+        return np.where(missing, np.nan, self._doubles.phases(flat).reshape(times.shape))
+
+    def _taus(self, t: Array) -> tuple[Array, Array, Array]:
+        """The times, which are NaN, and omega_0 t of each in one row; InputError where doubles have no phase."""
+        times, missing = _times(t)
+        omega, flat = float(self.oscillator.omega_0()), np.where(missing, 0.0, times).ravel()
+        if flat.max(initial=0.0) > _NO_PHASE / omega:
+            raise InputError("time", f"{flat.max():g} s: a double has no phase there", "omega_0 t < 2^53, or at(t)")
+        return times, missing, flat * omega
 
     def double_errors(self, t: Array) -> dict[str, Array]:
         """How far the doubles of ``sample`` are from the expansion, by the names of its columns; estimates."""
