@@ -4,7 +4,7 @@ from functools import partial
 
 from asymptotics.law import Law
 from asymptotics.turning.choose import offers, turning_points
-from asymptotics.turning.table import Request
+from asymptotics.turning.table import PointsRequest
 from benchmarks.table import Table, best_time, seconds_text
 
 REQUESTS: list[tuple[Law, int, int]] = [
@@ -23,7 +23,7 @@ def run(size: int = 60) -> Table:
     """A row for each request and route: at most ``size`` points, and none that is said to take more than 20 s."""
     rows = []
     for law, count, digits in REQUESTS:
-        request = Request.read(law, min(count, size), digits)
+        request = PointsRequest.read(law, min(count, size), digits)
         for route, said in offers(request):
             if said is not None and said < DEAR:
                 taken = best_time(partial(turning_points, law, request.count, digits, route=route.name), 1)

@@ -13,26 +13,18 @@ from asymptotics.ask.answers import Request
 from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.ask.typed import Answered, parser_of
 from asymptotics.errors import InputError, UndecidedError
+from tests.worlds import WORLDS
 
 PAGE = Path(__file__).parents[1] / "docs" / "trust.md"
 CERTIFICATE, CERTIFIED, EXACT, BOUND, ESTIMATE, REFUSED, NONE = (
     "**certificate**", "certified", "exact", "estimate, bound proved", "estimate", "refused", "-",
 )  # fmt: skip
-LAWS = {
-    "dry friction": "--law 0:3/100",
-    "linear": "--law 1:1/10",
-    "quadratic": "--law 2:1/10",
-    "another rational power": "--law 3/2:1/10",
-    "an irrational power": "--law 'sqrt(2):1/10'",
-    "a sum of powers": "--law 1:1/20 --law 2:1/10",
-    "a sum with dry friction": "--law 0:1/50 --law 2:1/10",
-    "a start in motion": "--law 2:1/10 --mass 1 --v0 1/3",
-    "air and a spring x^3": "--law 2:1/10 --spring 3:1/10",
-    "a pendulum in air": "--law 2:1/10 --spring pendulum",
-    "a loss that knows the place": "--law 1,2:1/10",
-    "gains": "--law 2:-1/10",
-    "gains and losses": "--law 1:-1 --law 1,2:1",
-}
+TOLD = (
+    "dry friction", "linear", "quadratic", "another rational power", "an irrational power", "a sum of powers",
+    "a sum with dry friction", "a start in motion", "air and a spring x^3", "a pendulum in air",
+    "a loss that knows the place", "gains", "gains and losses",
+)  # fmt: skip
+LAWS = {name: WORLDS[name].words for name in TOLD}
 SINGLE = {"dry friction": "0", "linear": "1", "quadratic": "2", "another rational power": "3/2"}
 GROUPS = {
     "Digits of the motion": (
@@ -144,6 +136,11 @@ def _of_law(words: str, name: str) -> str:
     return cell(f"{words} --alpha {SINGLE[name]}") if name in SINGLE else NONE
 
 
+def row(columns: tuple[str, ...], name: str) -> str:
+    """What each request answers for a law."""
+    return f"| {name} | {' | '.join(_of_law(words, name) for words in columns)} |"
+
+
 def tables() -> str:
     """All tables of the page."""
     lines: list[str] = []
@@ -155,7 +152,7 @@ def tables() -> str:
             f"| motion | {' | '.join(f'`{h}`' for h in heads)} |",
             "|---" * (len(heads) + 1) + "|",
         ]
-        lines += [f"| {name} | {' | '.join(_of_law(words, name) for words in columns)} |" for name in LAWS]
+        lines += [row(columns, name) for name in LAWS]
         lines.append("")
     lines += ["## What they rest on, where there is no certificate", "", "| command | rests on |", "|---|---|"]
     return "\n".join([*lines, *rows_of_rests()])

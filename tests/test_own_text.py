@@ -30,6 +30,7 @@ TOLD = {
     "asymptotics/numbers/policy.py: parse_rational": "the text of a float is its value: the shortest decimal",
     "asymptotics/decays/identification/certified_sets/table_rows.py: Fraction": "the same",
     "asymptotics/numbers/double_error.py: Fraction": "an error of two digits, which is what it prints",
+    "asymptotics/present/percent.py: Decimal": "two digits of a share, which are what is printed, without an exponent",
     "asymptotics/curves/motion_table.py: Fraction": "a row is at the time that it prints",
     "asymptotics/testing/oracles.py: Fraction": "twenty decimals of the middle of a ball, for an oracle in doubles",
 }
@@ -91,7 +92,7 @@ HARD = [asy.ExactReal(1, 2, -1), sympy.sqrt(sympy.Rational(3, 2)), sympy.sqrt(8)
 TENTH = Fraction(1, 10)
 CALLS = {
     "expand": lambda a: asy.expand(a, order=2).to_dict(),
-    "solution": lambda a: asy.solution({a: TENTH}, order=4).at(1, digits=8),
+    "solution": lambda a: asy.solution({a: TENTH}, order=2).at(1, digits=8),
     "waveforms of a solution": lambda a: asy.solution(a, order=3).waveforms.at(1, digits=8),
     "implicit solution": lambda a: asy.solution({a: TENTH, 3: TENTH}, order=2),
     "waveforms": lambda a: asy.waveforms(a, order=2).at(1, digits=8),
@@ -103,7 +104,7 @@ CALLS = {
     "series": lambda a: asy.envelope({a: TENTH}).series(3).to_dict(),
     "half-swing": lambda a: asy.half_swing(a, order=2, digits=8).to_dict(),
     "damping": lambda a: asy.damping({a: TENTH}, 1, digits=5).to_dict(),
-    "motion": lambda a: (asy.motion({a: TENTH}).at(1), asy.motion({a: TENTH}).bound(1)),
+    "motion": lambda a: (asy.motion({a: TENTH}).at(1), asy.motion({a: TENTH}, order=1).bound(1)),
     "reference": lambda a: asy.reference({a: TENTH}).at(1, digits=5),
 }
 

@@ -23,22 +23,22 @@ def reference():
 
 
 def calls(reference, name):
-    """(name of a call, its function) of a page: the function, or the public methods of a class."""
+    """(name of a call, its function, its question if it is one) of a page: the function, or the methods of a class."""
     found = reference.thing(name)
     if inspect.isfunction(found):
-        yield name, inspect.unwrap(found)
+        yield name, inspect.unwrap(found), getattr(found, "__question__", None)
     elif isinstance(found, type) and not issubclass(found, Exception):
         for member, made in vars(found).items():
             function = getattr(made, "__func__", made)
             if not member.startswith("_") and inspect.isfunction(function):
-                yield f"{name}.{member}", inspect.unwrap(function)
+                yield f"{name}.{member}", inspect.unwrap(function), None
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_parameter_has_a_type_and_a_meaning(reference, name):
-    for call, function in calls(reference, name):
+    for call, function, declared in calls(reference, name):
         for parameter, annotation in reference.parameters(reference.definition(function)):
-            assert reference.meaning(call, parameter), (call, parameter)
+            assert reference.explained(call, parameter, declared), (call, parameter)
             assert annotation and (annotation != "Any" or parameter in UNTYPED), (call, parameter)
 
 
@@ -77,3 +77,14 @@ def test_a_missing_meaning_and_a_missing_example_are_noticed(reference):
 
 def test_text_is_no_markup(reference):
     assert reference._prose("|x'|*2_ and ``code|``") == r"\|x'\|\*2\_ and ``code|``"
+
+
+def test_nothing_is_explained_twice(reference):
+    """Parameters of questions are explained in their docstrings: the list has those of other calls alone."""
+    needed = set()
+    for name in NAMES:
+        for call, function, declared in calls(reference, name):
+            own = set() if declared is None else {asked.name for asked in declared.asked}
+            for parameter, _ in reference.parameters(reference.definition(function)):
+                needed |= set() if parameter in own else {parameter, f"{call}.{parameter}"}
+    assert set(import_module("parameters").MEANINGS) <= needed

@@ -12,8 +12,8 @@ import asymptotics as asy
 from asymptotics.numbers.alike import key
 from tests.every_question import IN_PYTHON, call_of, usual
 from tests.present import every_type
+from tests.worlds import OSCILLATOR as OSC
 
-OSC = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
 STARTED = asy.Oscillator({2: "1/10"}, x0="3/5", v0="-4/5")
 PENDULUM = asy.Oscillator({2: "1/20"}, spring="pendulum", x0=3)
 DECAY = {"n": list(range(12)), "x": [(-0.9) ** n for n in range(12)]}

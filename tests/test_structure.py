@@ -56,6 +56,7 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "papers",
     "testing",
     "certificates",
+    "driven",
     "tables",
     "sweeps",
     "decays",
@@ -69,7 +70,6 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "decays.identification.certified_sets",
     "decays.identification.telling",
     "decays.identification",
-    "driven",
     "curves",
     "ask",
     "ask.questions",
@@ -193,6 +193,16 @@ def test_no_cycles_between_modules():
 
     for name in graph:
         visit(name, ())
+
+
+def test_no_two_rooms_have_a_class_of_one_name():
+    """A name that is searched for leads to one place; those with an underscore belong to their file."""
+    found = {}
+    for path in files("asymptotics"):
+        for node in nodes(path):
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                found.setdefault(node.name, []).append(str(path))
+    assert {name: there for name, there in found.items() if len(there) > 1} == {}
 
 
 def test_files_stay_small_and_safe():

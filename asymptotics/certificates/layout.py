@@ -15,7 +15,7 @@ from flint import arb
 
 from asymptotics.certificates.equation import Equation
 from asymptotics.certificates.pieces import longest, nearest, piece
-from asymptotics.certificates.series import Series, from_rest, in_motion
+from asymptotics.certificates.series import PowerSeries, from_rest, in_motion
 from asymptotics.errors import LimitError
 from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.running.budget import tick
@@ -55,7 +55,7 @@ def swing(
 
     ``towards`` is the sign of the speed.
     """
-    last: Series | None = None
+    last: PowerSeries | None = None
     arrival = Fraction(0)
     if end is not None:
         last = from_rest(equation, end.place, -towards, towards, plan.degree)
@@ -92,7 +92,7 @@ def _short(size: float, most: Fraction) -> Fraction:
     return Fraction(int(size * 2.0**bits), 2**bits) if bits >= 0 else Fraction(int(size))
 
 
-def _state(series: Series, s: Fraction) -> tuple[arb, arb]:
+def _state(series: PowerSeries, s: Fraction) -> tuple[arb, arb]:
     """(P, P') at the time s."""
     time = arb(to_fmpq(s))
     z = time ** arb(to_fmpq(Fraction(1, series.root)))

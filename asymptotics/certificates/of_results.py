@@ -29,7 +29,7 @@ from asymptotics.running.budget import DEFAULT_SECONDS
 MAX_COUNT, MAX_DIGITS = 1000, 100
 
 
-class Table(Protocol):
+class PrintedPoints(Protocol):
     """Printed turning points, in units of the start or in SI."""
 
     @property
@@ -50,7 +50,7 @@ class Table(Protocol):
 
 
 def of_turning_points(
-    law: Law | Oscillator, table: Table, *, max_seconds: float = DEFAULT_SECONDS
+    law: Law | Oscillator, table: PrintedPoints, *, max_seconds: float = DEFAULT_SECONDS
 ) -> Certificate:  # fmt: skip
     """The places, the times where they were printed, and the stop under dry friction.
 

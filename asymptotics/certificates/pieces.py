@@ -16,7 +16,7 @@ from typing import Any
 from flint import arb
 
 from asymptotics.certificates.equation import Equation
-from asymptotics.certificates.series import Powers, Series
+from asymptotics.certificates.series import Powers, PowerSeries
 from asymptotics.flow.balls import size_of
 from asymptotics.numbers.rationals import to_fmpq
 
@@ -24,7 +24,7 @@ _KEPT = 0.25
 """The least share of the first coefficient of a speed and of its powers that the others may leave: a choice."""
 
 
-def longest(series: Series, tolerance: float) -> float:
+def longest(series: PowerSeries, tolerance: float) -> float:
     """A duration up to which the coefficients left out are at most 2^tolerance, and the speed keeps its sign."""
     s = 8.0
     for p, weight in ((series.y, 2), *((w, 0) for w in (series.v, *series.powers))):
@@ -47,7 +47,7 @@ def _one_sign(p: Powers, root: int, s: float) -> bool:
     return rest <= 1 - _KEPT
 
 
-def piece(kind: str, series: Series, equation: Equation, scale: Fraction, bits: int) -> dict[str, Any]:
+def piece(kind: str, series: PowerSeries, equation: Equation, scale: Fraction, bits: int) -> dict[str, Any]:
     """The piece as the checker reads it."""
     z = arb(to_fmpq(scale)) ** arb(to_fmpq(Fraction(1, series.root)))
 

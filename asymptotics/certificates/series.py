@@ -30,7 +30,7 @@ MOST = 1200
 
 
 @dataclass(frozen=True)
-class Series:
+class PowerSeries:
     """P and the powers of its speed in z = s^(1/``root``), |P'| = z^``lead`` v(z); an empty power for a = 0 and 1."""
 
     root: int
@@ -47,12 +47,12 @@ class Series:
         return place.mid(), speed.mid()
 
 
-def from_rest(equation: Equation, place: arb, sign: int, forward: int, degree: int) -> Series:
+def from_rest(equation: Equation, place: arb, sign: int, forward: int, degree: int) -> PowerSeries:
     """From rest at a place, to s^degree: ``sign`` of P', ``forward`` the sign of the true speed."""
     return _grown(equation, equation.root, equation.root, {0: place}, sign, forward, degree)
 
 
-def in_motion(equation: Equation, place: arb, speed: arb, degree: int) -> Series:
+def in_motion(equation: Equation, place: arb, speed: arb, degree: int) -> PowerSeries:
     """From a place and a speed that is not 0, to s^degree."""
     sign = 1 if speed > 0 else -1
     return _grown(equation, 1, 0, {0: place, 1: speed}, sign, sign, degree)
@@ -69,7 +69,7 @@ def _generated(steps: set[int], last: int) -> list[int]:
 
 def _grown(
     equation: Equation, q: int, m: int, y: Powers, sign: int, forward: int, degree: int
-) -> Series:  # fmt: skip
+) -> PowerSeries:  # fmt: skip
     shifts = [int(m * a) for a, _ in equation.terms]
     strengths = [forward * arb(to_fmpq(e)) for _, e in equation.terms]
     steps = {2 * q, *(s for s in shifts if s)} if m else {1}
@@ -93,7 +93,7 @@ def _grown(
         if a not in (0, 1):
             for j in v:
                 _power(a, v, w, j)
-    return Series(q, m, y, v, tuple({} if a in (0, 1) else w for (a, _), w in zip(equation.terms, powers)))
+    return PowerSeries(q, m, y, v, tuple({} if a in (0, 1) else w for (a, _), w in zip(equation.terms, powers)))
 
 
 def _power(a: Fraction, v: Powers, w: Powers, j: int) -> arb:

@@ -15,12 +15,9 @@ from collections.abc import Iterator
 from flint import acb, arb
 
 from asymptotics.driven.drive import Balls
-from asymptotics.driven.expansion import Piece
+from asymptotics.driven.expansion import Arc
 from asymptotics.driven.trial import Trial
 from asymptotics.flow.balls import upper
-from asymptotics.numbers.context import ctx
-
-_LOW = 64
 
 
 def factor(trial: Trial, room: arb) -> arb:
@@ -29,22 +26,21 @@ def factor(trial: Trial, room: arb) -> arb:
     The exact motion itself may be ``trial.miss`` away from the trial orbit: ``room`` counts from there.
     """
     balls = trial.balls
-    with ctx.workprec(_LOW):
-        nu, apart = (balls.k / balls.mu).sqrt(), upper((room + trial.miss) / balls.mu.sqrt())
-        nodes, total, high, wave = trial.nodes, arb(0), arb(0), acb(0)
-        for p, begin, end in zip(trial.pieces, nodes, nodes[1:]):
-            low, most = _speeds(p, apart)
-            least = _slope(balls, low, most, lower=True)
-            # For sums of pieces e^(2 i nu theta) is integrated exactly; a_low is constant on each.
-            total += least * (end - begin)
-            wave += least * ((acb(0, 2 * nu * end)).exp() - acb(0, 2 * nu * begin).exp()) / acb(0, 2 * nu)
-            high += _slope(balls, low, most, lower=False) * (end - begin)
-        share = (total - abs(wave)) / 2
-        # As 2 lambda <= I <= G the root is of 3/4 at least; without any sure loss the factor is 1 or more.
-        return upper((1 - 2 * share / (1 + (total * high).sqrt()) ** 2).sqrt())
+    nu, apart = (balls.k / balls.mu).sqrt(), upper((room + trial.miss) / balls.mu.sqrt())
+    nodes, total, high, wave = trial.nodes, arb(0), arb(0), acb(0)
+    for p, begin, end in zip(trial.pieces, nodes, nodes[1:]):
+        low, most = _speeds(p, apart)
+        least = _slope(balls, low, most, lower=True)
+        # For sums of pieces e^(2 i nu theta) is integrated exactly; a_low is constant on each.
+        total += least * (end - begin)
+        wave += least * ((acb(0, 2 * nu * end)).exp() - acb(0, 2 * nu * begin).exp()) / acb(0, 2 * nu)
+        high += _slope(balls, low, most, lower=False) * (end - begin)
+    share = (total - abs(wave)) / 2
+    # As 2 lambda <= I <= G the root is of 3/4 at least; without any sure loss the factor is 1 or more.
+    return (1 - 2 * share / (1 + (total * high).sqrt()) ** 2).sqrt().upper()
 
 
-def _speeds(p: Piece, apart: arb) -> tuple[arb, arb]:
+def _speeds(p: Arc, apart: arb) -> tuple[arb, arb]:
     """The least and the largest speed along a piece, of all motions within that distance in speed."""
     least = arb(0) if p.lead else (p.ws[0] * (1 - p.growth) - apart).lower()
     most = p.ws[0] * (1 + p.growth) * (p.length if p.lead else arb(1)) + apart

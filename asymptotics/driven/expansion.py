@@ -32,7 +32,7 @@ MAX_MONOMIALS = 1500
 
 
 @dataclass(frozen=True)
-class Grid:
+class Lattice:
     """The monomials s^e up to s^top: exponents, products of two, where e - alpha and e - 2 stand (None: nowhere)."""
 
     top: int
@@ -47,7 +47,7 @@ Key = tuple[Fraction, ...]
 
 
 @lru_cache(maxsize=32)
-def grid(alphas: tuple[ExactReal, ...], top: int, bits: int) -> Grid:
+def grid(alphas: tuple[ExactReal, ...], top: int, bits: int) -> Lattice:
     """For these exponents beside a turning point; without exponents, in motion: the powers of s."""
     irrational = [a for a in alphas if not a.is_rational]
     size = 1 + len(irrational)
@@ -82,7 +82,7 @@ def grid(alphas: tuple[ExactReal, ...], top: int, bits: int) -> Grid:
         )
     whole = tuple(int(k[0]) if not any(k[1:]) and k[0].denominator == 1 else None for k in keys)
     two = tuple(2 * n for n in one)
-    return Grid(
+    return Lattice(
         top, exponents, whole, products, tuple(minus(k, two) for k in keys),
         tuple(tuple(minus(k, g) for k in keys) for g in steps),
     )  # fmt: skip
@@ -93,7 +93,7 @@ def _sum(a: Key, b: Key) -> Key:
 
 
 @dataclass(frozen=True)
-class Piece:
+class Arc:
     """y = y_0 + int w and w = s^lead sum w_e s^e for 0 <= s <= length; the truth parts from it by ``defect`` at most.
 
     ``begin``: the angle at s = 0; ``side``: +1 where s counts with the time, -1 against it; ``sign``: x = sign y.
@@ -150,7 +150,7 @@ def _wave(f: arb, theta: arb, side: int, top: int) -> list[arb]:
     return values
 
 
-def piece(balls: Balls, g: Grid, theta: arb, side: int, sign: int, y0: arb, w0: arb | None, tolerance: float) -> Piece:
+def piece(balls: Balls, g: Lattice, theta: arb, side: int, sign: int, y0: arb, w0: arb | None, tolerance: float) -> Arc:
     """The piece from the state (y0, w0), or from rest at y0 (w0 None); ``tolerance``: log2 of the defect aimed at."""
     lead, force = int(w0 is None), [sign * c for c in _wave(balls.f, theta, side, g.top)]
     force[0] -= side * sum((c for c, a in balls.losses if a == 0), arb(0))  # dry friction has one direction in a piece
@@ -180,7 +180,7 @@ def _or_none(series: list[arb], n: int | None) -> arb:
     return arb(0) if n is None else series[n]
 
 
-def _next_power(a: arb, inverse: arb, n: int, ws: list[arb], p: list[arb], g: Grid) -> arb:
+def _next_power(a: arb, inverse: arb, n: int, ws: list[arb], p: list[arb], g: Lattice) -> arb:
     """The coefficient of s^e in w^alpha: from w E(P) = alpha E(w) P with Euler's E s^e = e s^e."""
     total = arb(0)
     for i, j in g.products[n]:
@@ -190,9 +190,9 @@ def _next_power(a: arb, inverse: arb, n: int, ws: list[arb], p: list[arb], g: Gr
 
 
 def _cut(
-    balls: Balls, g: Grid, theta: arb, side: int, sign: int, lead: int, y0: arb, ws: list[arb],
+    balls: Balls, g: Lattice, theta: arb, side: int, sign: int, lead: int, y0: arb, ws: list[arb],
     losses: list[tuple[arb, arb]], tolerance: float,
-) -> Piece:  # fmt: skip
+) -> Arc:  # fmt: skip
     """The length for which the defect is near 2^tolerance, and the defect."""
     parts = [(upper(c / ws[0]), e) for c, e in zip(ws[1:], g.exponents[1:])]
     # A radius on which no term exceeds 1, in doubles; the largest share of it with G(R) < 1/2.
@@ -207,7 +207,7 @@ def _cut(
     rate = max([s for s, _ in sizes] + [size_of(balls.k * ws[0]), -inf])
     length = _short(min(size_of(R) - 0.3, size_of(R) + (tolerance - rate) / (last - 1)))
     defect = _defect(balls, g, lead, y0, ws, losses, length, R, inside)
-    return Piece(
+    return Arc(
         theta, side, sign, lead, y0, tuple(ws), g.exponents, length, upper(length * defect), _sum_of(parts, length)
     )
 
@@ -223,7 +223,15 @@ def _sum_of(parts: list[tuple[arb, arb]], s: arb) -> arb:
 
 
 def _defect(
-    balls: Balls, g: Grid, lead: int, y0: arb, ws: list[arb], losses: list[tuple[arb, arb]], h: arb, R: arb, inside: arb
+    balls: Balls,
+    g: Lattice,
+    lead: int,
+    y0: arb,
+    ws: list[arb],
+    losses: list[tuple[arb, arb]],
+    h: arb,
+    R: arb,
+    inside: arb,
 ) -> arb:
     """A bound of |mu w' - g + k y +- sum c w^alpha| for 0 <= s <= h: what does not cancel."""
     # In motion the equation was met up to s^(top-1), beside a turning point up to s^top.

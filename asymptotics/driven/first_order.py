@@ -75,7 +75,8 @@ def _root(balls: Balls, detuning: arb, moving: list[tuple[arb, arb]]) -> arb:
 def _log_force(balls: Balls, detuning: arb, s: arb) -> tuple[arb, arb]:
     """ln(A^2 d^2 + R^2)/2 and its slope in s = ln A."""
     parts = [(2 * c * moment(a + 1) * (a * s).exp(), a) for c, a in balls.losses]
-    square, R = (detuning * s.exp()) ** 2, sum((p for p, _ in parts), arb(0))
+    d, R = detuning * s.exp(), sum((p for p, _ in parts), arb(0))
+    square = d * d  # at omega_0 the ball of d holds 0, which ** 2 does not take
     total = square + R**2
     return total.log() / 2, (square + R * sum((p * a for p, a in parts), arb(0))) / total
 

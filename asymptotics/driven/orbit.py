@@ -11,10 +11,36 @@ from flint import acb, arb
 
 from asymptotics.driven import first_order, guess
 from asymptotics.driven.contraction import factor
-from asymptotics.driven.drive import Drive
+from asymptotics.driven.drive import Balls, Drive
 from asymptotics.driven.trial import Trial, trial
 from asymptotics.errors import UndecidedError
-from asymptotics.flow.balls import upper
+from asymptotics.expansions.moments.certified import moment
+from asymptotics.flow.balls import size_of, upper
+from asymptotics.numbers.context import ctx
+
+MAX_BITS = 1 << 10
+"""Of the working precision: some twenty seconds of one processor."""
+_FIT_FOR_DOUBLES = 30.0
+
+
+def bits_lost(drive: Drive) -> int:
+    """About how many bits the smallness of the losses costs, by first order: a choice, more are taken where needed.
+
+    Half a period draws motions together by about pi R/(2 mu A), the third harmonic is about C_3 beside A, and the part
+    of x in phase with the force's work about R/f.
+    """
+    with ctx.workprec(MAX_BITS):
+        balls = drive.balls()
+        A = first_order.amplitude(balls)
+        R = first_order.resistance(balls, A)
+        third = sum((c * A**a * 2 * moment(a + 1) * (a - 1) / (a + 3) for c, a in balls.losses), arb(0))
+        small = min(size_of(R / balls.f), size_of(third / A) - size_of(balls.k - 9 * balls.mu))
+        return int(min(max(0.0, -small) + _weakness(balls, A), 1e6))
+
+
+def _weakness(balls: Balls, A: arb) -> float:
+    """log2 of mu A/R, 0 at least: half a period draws motions together by that little."""
+    return max(0.0, size_of(balls.mu * A) - size_of(first_order.resistance(balls, A)))
 
 
 @dataclass(frozen=True)
@@ -61,7 +87,13 @@ def orbit(drive: Drive) -> Orbit:
     first = first_order.amplitude(balls)
     unit = first.mid()
     scaled = balls.in_units(unit)
-    found = trial(scaled, drive.alphas, guess.turning_point(scaled, float(first_order.phase(balls, first).mid())))
+    lost, lag = _weakness(balls, first), first_order.phase(balls, first)
+    if lost < _FIT_FOR_DOUBLES:
+        theta, X = guess.turning_point(scaled, float(lag.mid()))
+        start, least = (arb(theta), arb(X)), 64
+    else:  # first order is nearer, and fewer bits than these see no loss
+        start, least = ((lag - arb.pi()).mid(), -(first / unit).mid()), 64 + 2 * int(lost)
+    found = trial(scaled, drive.alphas, start, least)
     room = upper(scaled.k.sqrt() * abs(found.X) / 1024)
     q = factor(found, room)
     if not found.miss <= (1 - q) * room:

@@ -12,10 +12,11 @@ from typing import Any
 
 from flint import acb, arb
 
-from asymptotics.driven import linear
+from asymptotics.driven import first_order, linear
 from asymptotics.driven.drive import Drive
 from asymptotics.driven.first_numbers import MAX_BITS, FirstOrder, Value, first_order_of
-from asymptotics.driven.orbit import orbit
+from asymptotics.driven.orbit import MAX_BITS as ORBIT_BITS
+from asymptotics.driven.orbit import bits_lost, orbit
 from asymptotics.driven.shown import ResponsePage
 from asymptotics.errors import LimitError
 from asymptotics.law import Oscillator
@@ -31,7 +32,8 @@ HARMONICS = (1, 3)
 class Response(ResponsePage):
     """The one periodic response: ``amplitude`` its largest |x|, ``x0`` and ``v0`` its state at t = 0, where the force
     is f; ``phase``: by how much its first harmonic lags behind the force; ``energy``: what it takes in a cycle;
-    ``harmonics``: n -> amplitude and phase of A_n cos(n theta - phase_n).
+    ``harmonics``: n -> amplitude and phase of A_n cos(n theta - phase_n); ``difference``: amplitude and phase less
+    those of first order, the digits that are proved, three at most, beside the estimate ``first_order.error``.
 
     Not ``certified``: these are None, and ``notes`` say why; the first order is there.
     """
@@ -47,13 +49,14 @@ class Response(ResponsePage):
     phase: str | None = None
     energy: str | None = None
     harmonics: dict[str, dict[str, str]] | None = None
+    difference: dict[str, str] | None = None
     certified: bool = False
     method: str = "first order alone"
     notes: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: the contract of ``asymptotics response --json``."""
-        names = ("amplitude", "x0", "v0", "phase", "energy", "harmonics")
+        names = ("amplitude", "x0", "v0", "phase", "energy", "harmonics", "difference")
         law = self.oscillator.law
         return {
             "law": str(law), "force": str(self.force), "omega": str(self.omega),
@@ -71,8 +74,12 @@ def respond(drive: Drive, digits: int) -> Response:
     if any(a < 1 for a in drive.alphas):
         reason = "the response itself is proved for exponents from 1 on: this law is served to first order alone"
         return Response(*asked, notes=(*notes, reason))
+    bits = bits_for(digits, 48) + bits_lost(drive)
+    if bits > ORBIT_BITS:
+        reason = f"beside so weak a loss {digits} digits of the response need about {bits} bits, more than {ORBIT_BITS}"
+        return Response(*asked, notes=(*notes, f"first order alone: {reason}"))
     try:
-        told = at_growing_precision(lambda _: _orbit(drive, digits), digits, bits_for(digits, 48), max_bits=MAX_BITS)
+        told = at_growing_precision(lambda _: _orbit(drive, digits), digits, bits, max_bits=ORBIT_BITS)
     except LimitError as error:
         # The time of the request is no property of the response.
         if error.argument == "max_seconds":
@@ -96,7 +103,9 @@ def _linear(drive: Drive, digits: int) -> dict[str, Any]:
     phase = told(lambda: _lag(linear.coefficient(drive)))
     harmonics = {"1": {"amplitude": numbers["amplitude"], "phase": phase}}
     method = "closed form: viscous damping alone"
-    return {**numbers, "phase": phase, "harmonics": harmonics, "certified": True, "method": method}
+    difference = {"amplitude": "0", "phase": "0"}
+    found = {**numbers, "phase": phase, "harmonics": harmonics, "difference": difference}
+    return {**found, "certified": True, "method": method}
 
 
 def _lag(C: acb) -> arb:
@@ -125,11 +134,20 @@ def _orbit(drive: Drive, digits: int) -> dict[str, Any]:
         }
         for n, C in waves.items()
     }
+    balls = drive.balls()
+    A = first_order.amplitude(balls)
+    beyond = {"amplitude": numbers["amplitude"] - A, "phase": numbers["phase"] - first_order.phase(balls, A)}
+    proved = {
+        name: next(filter(None, (decimal_of(value, d) for d in (3, 2, 1))), None) for name, value in beyond.items()
+    }
+    told["difference"] = {name: text for name, text in proved.items() if text is not None}
     return {**told, "certified": True, "method": "trial orbit in balls, contraction over half a period"}
 
 
 def _decided(value: arb, digits: int, name: str) -> str:
     text = decimal_of(value, digits)
     if text is None:
-        raise TooWideError(f"{name} is {value.str(5)}", of=name)
+        known = value.rel_accuracy_bits()
+        lacking = bits_for(digits, 16) - known if known > 0 else None
+        raise TooWideError(f"{name} is {value.str(5)}", lacking, of=name)
     return text

@@ -1,5 +1,6 @@
 """How a driven response shows itself: text, table, LaTeX, and amplitude against frequency with the orbit's own."""
 
+from math import pi
 from typing import Any
 
 from flint import arb
@@ -7,6 +8,7 @@ from flint import arb
 from asymptotics.driven import first_order
 from asymptotics.driven.drive import Drive
 from asymptotics.driven.first_numbers import FirstOrder
+from asymptotics.expansions.moments.certified import moment
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
@@ -30,6 +32,7 @@ class ResponsePage(Drawn):
     phase: str | None
     energy: str | None
     harmonics: dict[str, dict[str, str]] | None
+    difference: dict[str, str] | None
     certified: bool
     method: str
     notes: tuple[str, ...]
@@ -39,6 +42,9 @@ class ResponsePage(Drawn):
         first = self.first_order
         rows = [("amplitude", self.amplitude, first.amplitude), ("x0", self.x0, None), ("v0", self.v0, None),
                 ("phase", self.phase, first.phase), ("energy per cycle", self.energy, None)]  # fmt: skip
+        for name in ("amplitude", "phase"):
+            label = f"{name} beyond first order"
+            rows.append((label, (self.difference or {}).get(name), _estimate(first.errors().get(name))))
         for n, wave in (self.harmonics or {}).items():
             rows += [(f"{name} of harmonic {n}", value, None) for name, value in wave.items()]
         rows.append(("c_eq", None, first.c_eq))
@@ -81,21 +87,59 @@ class ResponsePage(Drawn):
         return {r"\Omega": "frequency of the force"}
 
     def _curve(self, axes: Any, **style: Any) -> None:
-        """The amplitude of first order against Omega, and that of the response where it was asked."""
+        """Amplitude and phase of first order against Omega, the backbone, and the response where it was asked."""
         drive = Drive(self.oscillator, self.force, self.omega)
+        places = _places(drive)
         with ctx.workprec(_LOW):
-            middle, here = self.oscillator.omega_0(), self.omega.ball()
-            low, high = min(middle, here) / 2, max(middle, here) * 3 / 2
-            places = [float((low + (high - low) * n / _CURVE).mid()) for n in range(_CURVE + 1)]
-            curve = [float(_amplitude(drive, omega).mid()) for omega in places]
-        axes.plot(places, curve, **{"label": "first order", **style})
+            states = [first_order_at(drive, omega) for omega in places]
+            largest = max(A for A, _ in states)
+            heights = [largest * n / _CURVE for n in range(1, _CURVE + 1)]
+            free = [backbone(drive, A) for A in heights]
+        axes.plot(places, [A for A, _ in states], **{"label": "first order", **style})
+        seen = [(omega, A) for omega, A in zip(free, heights) if places[0] <= omega <= places[-1]]
+        if seen:
+            axes.plot(*zip(*seen), "--", label="backbone: the free decay", linewidth=1)
         if self.amplitude is not None:
-            label = "the response, certified"
-            axes.plot([float(here.mid())], [float(self.amplitude)], "o", markersize=4, label=label)
+            own = float(self.omega.ball().mid()), float(self.amplitude)
+            axes.plot(*([value] for value in own), "o", markersize=4, label="the response, certified")
         axes.set(xlabel="Omega", ylabel="amplitude")
+        right = _right_of(axes)
+        right.plot(places, [lag for _, lag in states], ":", color="gray", linewidth=1)
+        right.set(ylabel="phase (dotted)", ylim=(0, pi))
 
 
-def _amplitude(drive: Drive, omega: float) -> arb:
-    """First order at another frequency, a double that chooses and is drawn."""
+def _right_of(axes: Any) -> Any:
+    """The axes of the phase over the same frequencies: those of the result before, or new ones."""
+    shared = axes.get_shared_x_axes().get_siblings(axes)
+    return next((other for other in shared if other is not axes), None) or axes.twinx()
+
+
+def _places(drive: Drive) -> list[float]:
+    with ctx.workprec(_LOW):
+        middle, here = drive.oscillator.omega_0(), drive.omega.ball()
+        low, high = min(middle, here) / 2, max(middle, here) * 3 / 2
+        return [float((low + (high - low) * n / _CURVE).mid()) for n in range(_CURVE + 1)]
+
+
+def first_order_at(drive: Drive, omega: float) -> tuple[float, float]:
+    """(amplitude, phase) of first order at another frequency, doubles that are drawn."""
     numerator, denominator = omega.as_integer_ratio()
-    return first_order.amplitude(Drive(drive.oscillator, drive.force, ExactReal(numerator) / denominator).balls())
+    balls = Drive(drive.oscillator, drive.force, ExactReal(numerator) / denominator).balls()
+    A = first_order.amplitude(balls)
+    return float(A.mid()), float(first_order.phase(balls, A).mid())
+
+
+def backbone(drive: Drive, amplitude: float) -> float:
+    """omega of the free decay at that amplitude, to second order, a double that is drawn.
+
+    omega_0 (1 - sum_ij alpha_i alpha_j/((alpha_i+1)(alpha_j+1)) M_(alpha_i+alpha_j) delta_i delta_j) with delta_i = b_i
+    omega_0^alpha_i A^(alpha_i-1)/k.
+    """
+    omega_0, k = drive.oscillator.omega_0(), drive.oscillator.stiffness.ball()
+    terms = [(t.velocity.ball(), t.strength.ball() * omega_0 ** t.velocity.ball() / k) for t in drive.losses]
+    parts = [(a, a / (a + 1) * d * arb(amplitude) ** (a - 1)) for a, d in terms]
+    return float((omega_0 * (1 - sum((p * q * moment(a + b) for a, p in parts for b, q in parts), arb(0)))).mid())
+
+
+def _estimate(text: str | None) -> str | None:
+    return f"{text} (estimate)" if text not in (None, "0") else text

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from flint import arb
 
 from asymptotics.driven.drive import Balls
-from asymptotics.driven.expansion import Grid, Piece, grid, piece
+from asymptotics.driven.expansion import Arc, Lattice, grid, piece
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import ctx
@@ -30,19 +30,19 @@ class Trial:
     balls: Balls
     theta: arb
     X: arb
-    pieces: tuple[Piece, ...]
+    pieces: tuple[Arc, ...]
     nodes: tuple[arb, ...]
     miss: arb
 
 
-def grids(alphas: tuple[ExactReal, ...], bits: int) -> tuple[Grid, Grid]:
+def grids(alphas: tuple[ExactReal, ...], bits: int) -> tuple[Lattice, Lattice]:
     """The monomials at rest and in motion, as many as that many bits make cheap: choices."""
     order = int(0.35 * bits) + 6
     acting = tuple(a for a in alphas if not a.is_zero)
-    top, wanted = order, max(90, order + 8)
+    top, wanted = min(8, order), max(90, order + 8)
     # Beside a turning point there may be many monomials below s^top: a lower top and a shorter piece.
-    while top > 8 and len(grid(acting, top, bits).exponents) > wanted:
-        top = max(8, int(0.8 * top))
+    while top < order and len(grid(acting, higher := min(order, top * 5 // 4), bits).exponents) <= wanted:
+        top = higher
     return grid(acting, top, bits), grid((), order, bits)
 
 
@@ -51,13 +51,13 @@ class March:
     """Pieces with the exact angles from theta_0 at which they begin, the mismatch (x, v) of the last two, the rest of
     the jumps and defects."""
 
-    pieces: tuple[Piece, ...]
+    pieces: tuple[Arc, ...]
     starts: tuple[arb, ...]
     mismatch: tuple[arb, arb]
     rest: arb
 
 
-def march(balls: Balls, both: tuple[Grid, Grid], theta: arb, X: arb) -> March:
+def march(balls: Balls, both: tuple[Lattice, Lattice], theta: arb, X: arb) -> March:
     """From rest at (theta, X), both exact, to rest at (theta + pi, -X)."""
     rest, moving = both
     aim, pi = 4.0 - ctx.prec, arb.pi()
@@ -85,47 +85,58 @@ def march(balls: Balls, both: tuple[Grid, Grid], theta: arb, X: arb) -> March:
     return March(tuple(pieces), (*starts, meet), (y + there[0], w - there[1]), upper(extra + defects))
 
 
-def trial(balls: Balls, alphas: tuple[ExactReal, ...], near: tuple[float, float]) -> Trial:
-    """The trial orbit by Newton's method from a turning point in doubles, at the precision in force.
+def trial(balls: Balls, alphas: tuple[ExactReal, ...], start: tuple[arb, arb], least: int = 64) -> Trial:
+    """The trial orbit by Newton's method from near a turning point, at precisions that double from ``least`` bits.
 
-    Differences of two marches are good to a third of the bits, which is enough for a few steps at each precision.
+    Differences of two marches are slopes good to half of the bits: a step takes one level to the next.
     """
-    theta, X = (arb(v) for v in near)
-    bits = ctx.prec
-    levels = [b for n in range(12, -1, -1) if (b := bits >> n) >= 64] or [bits]
-    for level in levels:
+    bits, (theta, X) = ctx.prec, start
+    for level in [b for n in range(12, 0, -1) if (b := bits >> n) >= least]:
         with ctx.workprec(level):
-            theta, X = _refined(balls, grids(alphas, level), theta, X)
-    found = march(balls, grids(alphas, bits), theta, X)
+            theta, X, _ = _refined(balls, grids(alphas, level), theta, X)
+    theta, X, found = _refined(balls, grids(alphas, bits), theta, X)
     dx, dw = found.mismatch
     miss = upper(balls.k.sqrt() * abs(dx) + balls.mu.sqrt() * abs(dw) + found.rest)
     return Trial(balls, theta, X, found.pieces, (*found.starts, arb.pi()), miss)
 
 
-def _refined(balls: Balls, both: tuple[Grid, Grid], theta: arb, X: arb) -> tuple[arb, arb]:
-    d = arb(2) ** (-ctx.prec // 3)
-    jacobian: tuple[arb, ...] = ()
-    last = arb.pos_inf()
+def _refined(balls: Balls, both: tuple[Lattice, Lattice], theta: arb, X: arb) -> tuple[arb, arb, March]:
+    """The nearest turning point that Newton's method met, and its march."""
+    found, fresh, last = march(balls, both, theta, X), False, arb.pos_inf()
+    slopes: tuple[arb, ...] = ()
+    nearest, size, noise, near = (theta, X, found), _size(found), arb(2) ** (16 - ctx.prec), arb(2) ** (-ctx.prec // 2)
     for _ in range(_ROUNDS):
-        p, q = _mismatch(balls, both, theta, X)
-        size = max(abs(p), abs(q))
-        # At the noise of the arithmetic, or where nothing is gained any more.
-        if size < arb(2) ** (16 - ctx.prec) or (size * 4 > last and size < d):
+        # At the noise of the arithmetic, or where near the end even new slopes gained next to nothing.
+        if size < noise or (fresh and size < near and size * 4 > last):
             break
-        if not jacobian or size * 64 > last:
-            (a, c), (b, e) = (
-                [((after - before) / d).mid() for after, before in zip(_mismatch(balls, both, *moved), (p, q))]
-                for moved in (((theta + d).mid(), X), (theta, (X + d).mid()))
-            )
-            jacobian = a, b, c, e
-        a, b, c, e = jacobian
-        det = a * e - b * c
-        theta = (theta - (p * e - q * b) / det).mid()
-        X = (X - (q * a - p * c) / det).mid()
-        last = size
-    return theta, X
+        p, q = (m.mid() for m in found.mismatch)
+        fresh = not slopes or size * 64 > last
+        try:
+            slopes = _slopes(balls, both, (theta, X), (p, q)) if fresh else slopes
+            a, b, c, e = slopes
+            det = a * e - b * c
+            theta = (theta - (p * e - q * b) / det).mid()
+            X = (X - (q * a - p * c) / det).mid()
+            found, last = march(balls, both, theta, X), size
+        except UndecidedError:  # a step so long, by slopes of few bits, that nothing moves there
+            break
+        size = _size(found)
+        if size < last:
+            nearest = theta, X, found
+    return nearest
 
 
-def _mismatch(balls: Balls, both: tuple[Grid, Grid], theta: arb, X: arb) -> tuple[arb, arb]:
-    p, q = march(balls, both, theta, X).mismatch
-    return p.mid(), q.mid()
+def _size(found: March) -> arb:
+    return max(abs(m.mid()) for m in found.mismatch)
+
+
+def _slopes(
+    balls: Balls, both: tuple[Lattice, Lattice], point: tuple[arb, arb], here: tuple[arb, arb]
+) -> tuple[arb, ...]:
+    """(p_theta, p_X, q_theta, q_X) of the mismatch p, q."""
+    d, (theta, X) = arb(2) ** (-ctx.prec // 2), point
+    (a, c), (b, e) = (
+        [((after.mid() - before) / d).mid() for after, before in zip(march(balls, both, *moved).mismatch, here)]
+        for moved in (((theta + d).mid(), X), (theta, (X + d).mid()))
+    )
+    return a, b, c, e

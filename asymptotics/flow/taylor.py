@@ -45,8 +45,8 @@ GUARD = 32  # bits more for the coefficients, whose recurrence cancels; the forc
 DEGREE_PER_BIT = 0.42
 """The degree n of a step for each bit.  A step of n terms is as long as R 2^(-bits/n) and costs n^2 products, so the
 cost per time is least at n = (ln 2/2) bits = 0.35 bits.  What a step costs besides, its discs and its state, asks for
-longer ones: measured for 0.25, 0.35, 0.42, 0.5 and 0.69, a half-swing of x'|x'|^(1/2)/5 took 19, 16, 16, 17 and 19 ms
-in 100 bits, and 3.2, 2.8, 3.0, 3.2 and 3.6 s in 1000."""
+longer ones: measured for 0.25, 0.35, 0.42, 0.5 and 0.69 on a busy machine, a half-swing of x'|x'|^(1/2)/5 took 24, 19,
+19, 19 and 16 ms in 100 bits, 166, 121, 112, 114 and 118 in 300, and 1.43, 1.15, 1.12, 1.14 and 1.19 s in 1000."""
 _SHARES = (0.95, 0.88, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.12, 0.05, 0.02, 0.01, 0.004, 0.001)
 """Radii to try, in units of one where no term of W exceeds w_0: dense where a step usually is, and down to a thousandth
 for a force that grows fast."""

@@ -34,12 +34,16 @@ MIN_STRETCH, MAX_STRETCH = 1.5, 1e6
 # Half-swings of the path; what comes after them counts as served where z falls, without being looked at.
 _LOOK_AHEAD = 3000
 _RANGE = 990.0  # log2 of the largest |z| looked at
-# In the unit in which a half-swing by pieces costs 1: measured at 80 bits for alpha = 3/2.  They decide only from how
-# many half-swings on a panel is worth while.
-_AT_ONCE, _A_NODE = 4, 0.6  # half-swings by pieces: what quarter-swings cost however few they are, and each of them
+# In the unit in which a half-swing by pieces costs 1.  They decide only from how many half-swings on a panel is worth
+# while.  Of an interval of ln A, measured at 80 bits for alpha = 3/2; of one from 0, a quarter-swing and each pair of
+# two of them, which the matrices are made of: fitted to 3/2, 3, 5/2 and (1, 2) at 80 and 136 bits, where panels of 8 to
+# 142 nodes cost 2 to 60 half-swings and the fit is off by at most a third.
+_AT_ONCE, _A_NODE = 4, 0.6  # what quarter-swings cost however few they are, and each of them
+_A_QUARTER, _A_PAIR = 0.12, 0.002
 _OF_REACH, _FARTHEST = tuple(2.0 ** -(k / 2) for k in range(2, 43)), 0.8  # the last places of the panels from 0
-# Half-swings by pieces, or the part of the shortest: what a longer panel may cost, as the first of a map and after it.
-_CHEAP, _CHEAP_AGAIN, _DEARER = 20, 50, 1.1
+# Half-swings by pieces, or the part of the shortest: what a longer panel may cost, as the first of a map and after it;
+# by whether its nodes are quarter-swings.
+_CHEAP, _DEARER = {True: (6, 22), False: (20, 50)}, 1.1
 _DOWN = tuple(
     k * log(2) for k in (0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768)
 )
@@ -52,7 +56,8 @@ _MARGIN = 2.0**-10  # a panel of ln A begins that much above the amplitude it is
 class PanelPlan:
     """z from ``first`` to ``last`` on ``nodes`` nodes, for ``served`` half-swings, after ``wait`` without it.
 
-    ``stretch``: the half axis of the ellipse in units of the panel's half width.
+    ``stretch``: the half axis of the ellipse in units of the panel's half width; ``sides``: of an interval from 0, 1
+    where one set of quarter-swings serves forwards and backwards, else 2.
     """
 
     first: float
@@ -61,10 +66,15 @@ class PanelPlan:
     nodes: int
     served: int = 0
     wait: int = 0
+    sides: int = 0
 
     def work(self, quartered: bool) -> int:
         """What the nodes cost, in half-swings by pieces."""
-        return _AT_ONCE + int(_A_NODE * self.nodes) if quartered else self.nodes
+        if not quartered:
+            return self.nodes
+        if not self.sides:
+            return _AT_ONCE + int(_A_NODE * self.nodes)
+        return 1 + ceil(self.sides * self.nodes * (_A_QUARTER + _A_PAIR * self.nodes))
 
 
 @dataclass(frozen=True)
@@ -115,7 +125,7 @@ def from_zero(coordinate: Coordinate, z: float, bits: int, *, quartered: bool, a
     if not plans:
         return None
     # A longer one serves more laws.
-    most = max(_CHEAP_AGAIN if again else _CHEAP, _DEARER * plans[-1].work(quartered))
+    most = max(_CHEAP[quartered][again], _DEARER * plans[-1].work(quartered))
     return next((p for p in plans if p.work(quartered) <= most), plans[-1])
 
 
@@ -128,7 +138,8 @@ def _up_to(coordinate: Coordinate, share: float, bits: int, quartered: bool) -> 
     # The half width is last/2, and the ellipse may go as far as the reach: (reach - last/2)/(last/2).  Quarters of one
     # law have the middle 0.
     stretch = 1 / share if quartered and coordinate.is_odd else 2 / share - 1
-    return PanelPlan(0.0, share * reach_of(coordinate, whole=not quartered), stretch, _count(bits, stretch))
+    last, sides = share * reach_of(coordinate, whole=not quartered), 1 if coordinate.is_odd else 2
+    return PanelPlan(0.0, last, stretch, _count(bits, stretch), sides=sides)
 
 
 def pieces_from_zero(coordinate: Coordinate, log_size: float, remaining: int, bits: int) -> int:

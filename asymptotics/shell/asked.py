@@ -15,7 +15,7 @@ from asymptotics.errors import InputError
 from asymptotics.present.files import require_different
 from asymptotics.running.cut_short import changed
 from asymptotics.shell.answer import Answer, shortened
-from asymptotics.shell.files import Makers, picture_maker, read_files, write_files
+from asymptotics.shell.files import FILES, Makers, picture_maker, read_files, write_files
 
 CHECKER = Path(asymptotics.__file__).parent / "testing" / "check_certificate.py"
 
@@ -71,6 +71,11 @@ class Command:
             return Command(other).run(options)
         request, show = self._prepared(options)
         if (instead := self.question.offers.instead(request)) is not None:
+            for name in FILES:
+                if request.typed(name):
+                    raise InputError(
+                        f"--{name}", "nothing is computed here that it could hold", "the command without it"
+                    )
             return Answer(*instead, options.json)
         of_shell = self.question.offers.of_shell
         return show(self.question.function(**request.values) if of_shell is None else of_shell(request))

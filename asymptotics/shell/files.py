@@ -20,6 +20,8 @@ from asymptotics.present.files import require_different, target_file, write_all
 from asymptotics.present.inputs import MOVED_BY, with_inputs, with_words
 from asymptotics.running.cut_short import changed
 
+FILES = ("plot", "csv", "html", "certificate")
+"""The options that name a file that is written."""
 PICTURES = (".svg", ".png", ".pdf")
 Makers = dict[str, Callable[[str], str | bytes]]
 
@@ -53,7 +55,7 @@ def read_files(options: argparse.Namespace, pictures: tuple[str, ...] = PICTURES
 
     ``pictures``: the suffixes that --plot may have.
     """
-    named = {f"--{name}": getattr(options, name, None) for name in ("plot", "csv", "html", "certificate")}
+    named = {f"--{name}": getattr(options, name, None) for name in FILES}
     found = {argument: _file(name, argument, pictures) for argument, name in named.items() if name is not None}
     require_different(dict(found))
     if getattr(options, "points", None) is not None:

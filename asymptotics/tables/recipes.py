@@ -2,6 +2,7 @@
 
 from asymptotics.tables.bounds import error_bounds
 from asymptotics.tables.coefficients import half_swing, normal_form
+from asymptotics.tables.driven import resonances
 from asymptotics.tables.moments import moments, squaring_ratios
 from asymptotics.tables.quadratic import smith_c, smith_f, smith_table_1, transit_time
 from asymptotics.tables.recipe import Recipe
@@ -79,6 +80,13 @@ RECIPES = {
         "2F1(1, a; a+1; z) by logarithms for rational a, else by Arb, in balls",
         "quadrature of dA/(kappa A^alpha + kappa' A^alpha') by another library",
         "milliseconds", two_law_times, "law epsilon",
+    ),
+    "resonance": Recipe(
+        "The driven response to first order at omega_0 (force 1, m = k = 1), Q of the decay and of the width",
+        ("law", "amplitude", "Q_decay", "Q_width"), ("law",), ("1",) * 4,
+        "the root A of sum 2 epsilon M_(alpha+1) A^alpha = 1, proved in balls; Q = A, and A/sqrt(2 - 2 R(A/sqrt 2)^2)",
+        "the root by bisection in doubles, its moments by quadrature",
+        "milliseconds", resonances, "alpha law epsilon",
     ),
     "lelas-ratios": Recipe(
         "Lelas' squaring trick: its damping over the averaged one, 2^(-(alpha+1)/2)/M_(alpha+1)",

@@ -30,7 +30,7 @@ from asymptotics.turning.enclosing import require_soon
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.routes import ROUTES
-from asymptotics.turning.table import MAX_DIGITS, Progress, Request
+from asymptotics.turning.table import MAX_DIGITS, PointsRequest, Progress
 
 
 def turning_points(
@@ -52,21 +52,21 @@ def turning_points(
     With springs or losses that depend on the place the start is at ``x0`` in the units of the strengths.  With ``v0``
     (dimensionless, as ``x0``) the start is in motion: n = 0 is the first turning point, see ``table``.  ``route``: the
     name of one that serves, else the cheapest.  ``progress`` is called with the number of points finished.  ``most``:
-    as in `Request.read`.  Raises InputError for a negative strength or a route that does not serve, LimitError for more
-    work than the stated limits or ``max_seconds``, UndecidedError where balls cannot tell how it goes on.
+    as in `PointsRequest.read`.  InputError for a negative strength or a route that does not serve, LimitError for
+    more work than the stated limits or ``max_seconds``, UndecidedError where balls cannot tell how it goes on.
     """
 
     def finished(done: int) -> None:
         tick(f"turning point {done} of {count}")
         progress(done)
 
-    request = Request.read(law, count, digits, start=start, times=times, x0=x0, v0=v0, most=most)
+    request = PointsRequest.read(law, count, digits, start=start, times=times, x0=x0, v0=v0, most=most)
     with budget(max_seconds):
         require_soon(request)
         return choose(request, route).points(request, finished)
 
 
-def choose(request: Request, name: str | None = None) -> Route:
+def choose(request: PointsRequest, name: str | None = None) -> Route:
     """The cheapest route that serves, or the one named; InputError for one that is unknown or does not serve."""
     if name is not None:
         return _named(request, name)
@@ -75,12 +75,12 @@ def choose(request: Request, name: str | None = None) -> Route:
     return ROUTES[min(costs, key=lambda i: (costs[i], i))]
 
 
-def offers(request: Request) -> list[tuple[Route, float | None]]:
+def offers(request: PointsRequest) -> list[tuple[Route, float | None]]:
     """Every route, with the seconds it would take for the request, None where it does not serve."""
     return [(route, route.serves(request)) for route in ROUTES]
 
 
-def _named(request: Request, name: str) -> Route:
+def _named(request: PointsRequest, name: str) -> Route:
     require_choice(name, "route", (route.name for route in ROUTES))
     serving = {route.name: route for route, seconds in offers(request) if seconds is not None}
     if name not in serving:

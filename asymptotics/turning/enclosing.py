@@ -19,7 +19,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.turning.result import TurningPoints
-from asymptotics.turning.table import Kept, Progress, Request, named, rounded
+from asymptotics.turning.table import Kept, PointsRequest, Progress, named, rounded
 
 MANY = 200_000
 """Half-swings beyond this number are jumped over, and cost no bits."""
@@ -35,46 +35,46 @@ class EnclosedMotion:
     after: Callable[[TurningState], Iterator[TurningState]]
 
 
-def bits_of(request: Request) -> int:
+def bits_of(request: PointsRequest) -> int:
     """The working precision to begin with, for powers of the velocity: digits, rounding errors that add, and what a
     half-swing next to critical damping loses."""
     return _without_losses(request) + lost_bits(request.law)
 
 
-def require_soon(request: Request) -> None:
+def require_soon(request: PointsRequest) -> None:
     """LimitError at once where a half-swing next to critical damping would last too long, before any route is asked."""
     if request.law.is_pure:
         require_brief(request.law, request.last + 1, request.digits, _without_losses(request))
 
 
-def _without_losses(request: Request) -> int:
+def _without_losses(request: PointsRequest) -> int:
     spare = _SPARE_IN_MOTION if request.in_motion else _SPARE
     swings = min(request.start, MANY) + request.count
     # Errors of n half-swings add: log2(n) bits for the amplitudes, and as many for the times.
     return bits_for(request.digits, spare) + 2 * swings.bit_length()
 
 
-def damping_of(request: Request) -> Damping:
+def damping_of(request: PointsRequest) -> Damping:
     """The forces of powers of the velocity, a little sharper than the current precision."""
     # The Taylor coefficients are computed with so many bits more; the strengths must not be less sharp.
     with ctx.workprec(ctx.prec + GUARD):
         return Damping.of_law(request.law)
 
 
-def first_of(request: Request, damping: Damping) -> TurningState | str:
+def first_of(request: PointsRequest, damping: Damping) -> TurningState | str:
     """Turning point 0 under powers of the velocity, or why there is none."""
     if not request.in_motion:
         return at_rest(arb(1))
     return first_from(LinearSpring(damping), request.place.ball(), request.speed.ball())
 
 
-def in_words(request: Request, by: str, bits: int) -> str:
+def in_words(request: PointsRequest, by: str, bits: int) -> str:
     """How the points were found."""
     return f"half-swing by half-swing, {by} in balls" + ("" if request.in_motion else f" of {bits} bits")
 
 
 def enclosed(
-    request: Request,
+    request: PointsRequest,
     orbit: Callable[[], EnclosedMotion],
     method: Callable[[int], str],
     bits: int,

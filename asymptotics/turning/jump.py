@@ -34,7 +34,7 @@ from asymptotics.turning.abel import FOLLOWING, AbelFunction, abel_function
 from asymptotics.turning.abel_flow import FOLLOWING as FLOW_FOLLOWING
 from asymptotics.turning.abel_flow import abel_flow
 from asymptotics.turning.enclosing import EnclosedMotion, damping_of, first_of
-from asymptotics.turning.table import Request
+from asymptotics.turning.table import PointsRequest
 
 HEAD = 300
 """Half-swings of the head of one law, and one more for each bit: delta is then so small that few terms will do."""
@@ -58,7 +58,9 @@ class FarPlan:
     seconds: float
 
 
-def with_a_head(request: Request, head: int, far: Callable[[Iterator[TurningState]], TurningState]) -> EnclosedMotion:
+def with_a_head(
+    request: PointsRequest, head: int, far: Callable[[Iterator[TurningState]], TurningState]
+) -> EnclosedMotion:
     """The motion as far as turning point ``start``, which ``far`` finds from a head, and half-swing by half-swing on.
 
     The head is interpolated as is worth while for ``head`` half-swings.

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from asymptotics.turning.result import TurningPoints
-from asymptotics.turning.table import Progress, Request
+from asymptotics.turning.table import PointsRequest, Progress
 
 
 @dataclass(frozen=True)
@@ -22,5 +22,5 @@ class Route:
     name: str
     domain: str
     way: str
-    serves: Callable[[Request], float | None]
-    points: Callable[[Request, Progress], TurningPoints]
+    serves: Callable[[PointsRequest], float | None]
+    points: Callable[[PointsRequest, Progress], TurningPoints]

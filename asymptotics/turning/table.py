@@ -1,7 +1,7 @@
 """A request for turning points, read once for every route, and the one rounding of what a route finds.
 
-A route is asked for a `Request` (which law, from which start, which points, how many digits, with or without times) and
-follows an orbit; the turning points of the orbit are rounded here, by one rule:
+A route is asked for a `PointsRequest` (which law, from which start, which points, how many digits, with or without
+times) and follows an orbit; the turning points of the orbit are rounded here, by one rule:
 
 * from rest x_n is what the balls say: in units of x0 where the law is a sum of powers of the velocity, and in the units
   of the strengths beside a spring;
@@ -10,7 +10,7 @@ follows an orbit; the turning points of the orbit are rounded here, by one rule:
 
 A value that its enclosure cannot round asks for the bits that it lacks (``numbers.precision``).
 
->>> request = Request.read(Law({"3/2": "1/10", 2: 0}), 4, 12, start=2)
+>>> request = PointsRequest.read(Law({"3/2": "1/10", 2: 0}), 4, 12, start=2)
 >>> request.law.alphas, request.last, request.alone is not None, request.in_motion
 ((ExactReal('3/2'),), 5, True, False)
 """
@@ -40,7 +40,7 @@ Ended = dict[str, Any] | None
 
 
 @dataclass(frozen=True)
-class Request:
+class PointsRequest:
     """Turning points n = start ... start + count - 1 of the motion from (``place``, ``speed``), ``digits`` of each."""
 
     law: Law
@@ -63,7 +63,7 @@ class Request:
         x0: Number = 1,
         v0: Number = 0,
         most: int = MAX_DIGITS,
-    ) -> "Request":
+    ) -> "PointsRequest":
         """The request, checked: InputError names the argument.  Powers of the velocity of strength 0 are left out.
 
         ``most``: the most digits; a caller who has checked what was asked may want more of them to compute with.
@@ -122,7 +122,7 @@ def require_counts(count: int, digits: int, start: int, most: int = MAX_DIGITS) 
 class Kept(keeping):
     """``with Kept(request) as kept:`` an error carries the points of the attempt that came farthest, all proved."""
 
-    def __init__(self, request: Request) -> None:
+    def __init__(self, request: PointsRequest) -> None:
         super().__init__(self._table)
         self.request = request
         self.tried: list[tuple[list[TurningPoint], Callable[[], str], dict[str, str] | None]] = []
@@ -145,7 +145,7 @@ class Kept(keeping):
 
 
 def rounded(
-    request: Request,
+    request: PointsRequest,
     turnings: Iterator[TurningState],
     unit: TurningState | None,
     progress: Progress,
@@ -168,7 +168,7 @@ def rounded(
     return tuple(made), None
 
 
-def named(request: Request, unit: TurningState) -> dict[str, str]:
+def named(request: PointsRequest, unit: TurningState) -> dict[str, str]:
     """Turning point 0 of a start in motion, in words: its amplitude and its time."""
     return {"amplitude": proved_digits(size(unit), request.digits), "tau": proved_digits(unit.tau, request.digits)}
 
@@ -178,7 +178,7 @@ def size(here: TurningState) -> arb:
     return arb(here.amplitude, here.amplitude_error)
 
 
-def _point(request: Request, here: TurningState, unit: TurningState | None) -> TurningPoint:
+def _point(request: PointsRequest, here: TurningState, unit: TurningState | None) -> TurningPoint:
     # Exact where it is known: no ball rounds a tie such as x = 1/8 to two digits.
     x: arb | ExactReal | Fraction = request.place if here.n == 0 else here.x if here.exact is None else here.exact[0]
     tau = here.tau

@@ -133,9 +133,14 @@ def _numpydoc(docstring):
     return {name: text.strip() for name, text in zip(parts[1::2], parts[2::2])}
 
 
-def _parameters(node, call, declared=None):
+def explained(call, parameter, declared=None):
+    """What a parameter means: what its own question says, else the list; None where neither does."""
     helped = {} if declared is None else {a.name: a.help for a in declared.asked}
-    rows = [(n, a, helped.get(n) or meaning(call, n) or "") for n, a in parameters(node)]
+    return helped.get(parameter) or meaning(call, parameter)
+
+
+def _parameters(node, call, declared=None):
+    rows = [(n, a, explained(call, n, declared) or "") for n, a in parameters(node)]
     return "\n".join(f"**{n}** : ``{a}``\n    {_prose(m)}\n" for n, a, m in rows)
 
 

@@ -11,13 +11,9 @@ from asymptotics.errors import InputError
 from asymptotics.present.letters import MEANINGS, letters
 from asymptotics.present.page import mathml, told
 from asymptotics.shell.main import main
-from tests.ask.test_questions import CHEAP
+from tests.every_question import example
 
-LINES = {
-    **CHEAP,
-    "compare": "{folder}/mine.csv --alpha 2 --epsilon 1/10",
-    "identify": "{folder}/peaks.csv --laws 1",
-    "sweep": "moment --p 1 --store {folder}/store",
+FULL = {  # with formulas that the examples, which are answered at once, do not have
     "derive": "smith-turning-points",
     "motion": "--alpha 2 --epsilon 1/10 --time 1 --bound --order 2",
     "solution": "--alpha 2 --epsilon 1/10 --order 2 --time 7",
@@ -30,13 +26,10 @@ FORMULAS = [n for n in QUESTIONS if n not in ("compare", "identify", "sweep", "t
 
 @pytest.fixture
 def page(tmp_path, capsys):
-    (tmp_path / "mine.csv").write_text("n,x\n0,1\n1,-0.8766\n")
-    (tmp_path / "peaks.csv").write_text("n,x\n" + "".join(f"{n},{(-0.9) ** n}\n" for n in range(9)))
-
     def written(name):
         path = tmp_path / f"{name}.html"
-        words = shlex.split(LINES[name].format(folder=tmp_path))
-        assert main([name, *words, "--html", str(path), "--quiet"]) in (0, 1), capsys.readouterr()
+        words = [name, *shlex.split(FULL[name])] if name in FULL else example(name, tmp_path)
+        assert main([*words, "--html", str(path), "--quiet"]) in (0, 1), capsys.readouterr()
         return path.read_text(encoding="utf-8")
 
     return written

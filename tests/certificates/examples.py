@@ -8,21 +8,22 @@ from asymptotics import turning_points
 from asymptotics.certificates.of_results import of_states, of_turning_points
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion
+from tests.worlds import WORLDS
 
 OSCILLATORS = {
-    "quadratic": Oscillator({2: "1/10"}),
+    "quadratic": WORLDS["quadratic"].oscillator,
     "three halves": Oscillator({"3/2": "1/5"}),
-    "sum": Oscillator({1: "1/20", 2: "1/10"}),
+    "sum": WORLDS["a sum of powers"].oscillator,
     "friction": Oscillator({0: "1/10", 2: "1/10"}),
-    "strong": Oscillator({2: 3}),
-    "root": Oscillator({"1/2": "1/10"}),
+    "strong": WORLDS["strong"].oscillator,
+    "root": WORLDS["below the linear one"].oscillator,
     "units": Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="-1/5"),
     "in motion": Oscillator({2: "1/10"}, x0="1/2", v0="-1/3"),
     "seventh": Oscillator({"1/7": "1/10"}),
     "near one": Oscillator({"1001/1000": "1/10"}),
 }
 FOR_ATTACKS = {
-    "linear": Oscillator({1: "1/10"}),
+    "linear": WORLDS["linear"].oscillator,
     "stronger": Oscillator({2: "3/20"}),
     "undamped": Oscillator({2: 0}),
     "pushed": Oscillator({1: "1/10"}, v0="-1/10"),

@@ -6,6 +6,7 @@ import pytest
 
 import asymptotics as asy
 from asymptotics.decays.comparison.run import Comparison
+from tests.worlds import OSCILLATOR
 
 N, X = [0, 1, 2, 3], [1.0, -0.4107197, 0.2635711, -0.194566]
 
@@ -33,7 +34,7 @@ def test_arrays_frames_and_files_say_the_same(tmp_path):
 
 
 def test_names_of_columns_and_units():
-    osc = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+    osc = OSCILLATOR
     motion = asy.motion(osc, order=3).sample([0.5, 1.0, 1.5])
     found = asy.compare({"time": motion.t, "pos": motion.x}, osc, columns="t=time,x=pos")
     assert found.rows[0].key_name == "t" and float(found.summary["worst_digits"]) > 5

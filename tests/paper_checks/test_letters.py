@@ -53,7 +53,8 @@ def test_other_powers_of_the_distance_to_linear_damping_are_refuted(power):
 
 
 def test_neither_too_early_nor_too_late():
-    creep = sympy.Rational(6) * E ** (sympy.Rational(5, 6))  # T_c at alpha = 6/5
-    assert _not_yet(sympy.Rational(6, 5), 5 * creep) == Outcome.CONFIRMED
-    assert _not_yet(sympy.Rational(6, 5), 500 * creep) == Outcome.REFUTED
-    assert _within(sympy.Rational(6, 5), 100, 20 * creep.subs(E, 100)) == Outcome.REFUTED
+    two, creep = sympy.Integer(2), 2 * sympy.sqrt(E)  # T_c at alpha = 2, where half-swings are quick
+    assert _not_yet(two, creep) == Outcome.CONFIRMED
+    assert _not_yet(two, 100 * creep) == Outcome.REFUTED
+    assert _within(two, 100, 20 * creep.subs(E, 100)) == Outcome.CONFIRMED
+    assert _within(two, 100, 4 * creep.subs(E, 100)) == Outcome.REFUTED

@@ -21,7 +21,7 @@ PARTS = {  # what stands inside a result and is no answer of its own
     "bounds.uniform.Displacement": "the constants behind ExpansionBounds",
     "decays.identification.inverse_damping.Problem": "what was asked, behind DampingLaw",
     "envelopes.laurent.LaurentEnvelope": "formulas behind EnvelopeSeries",
-    "series.Series": "arithmetic of series",
+    "series.PowerSeries": "arithmetic of series",
     "terms.Scaled": "a strength, printed as text",
     "terms.Units": "the units of Scaled",
     "expansions.equations.strengths.Strengths": "how an equation prints its strengths",

@@ -14,13 +14,13 @@ from asymptotics.decays.identification.telling.plots import draw_decrements
 from asymptotics.errors import InputError
 from asymptotics.present.drawn import Drawn
 from asymptotics.shell.main import main
+from tests.worlds import OSCILLATOR as OSC
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "docs/extensions"))
 
 from picture_faults import faults  # noqa: E402 (the pages of the docs are looked at by the same function)
 
 mpl.use("Agg")
-OSC = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
 LAW = {2: "1/10"}
 MADE = {
     "motion": lambda: asy.motion(OSC, order=2),

@@ -16,6 +16,7 @@ from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.shell.main import main
 from tests import every_question
 from tests.every_question import IN_PYTHON, call_of, example, parser_of, shown
+from tests.worlds import OSCILLATOR as DRAG
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 
@@ -103,7 +104,6 @@ def test_a_call_that_is_not_there_is_noticed():
         resolved("asy.momentum")
 
 
-DRAG = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
 SI = "--alpha 3/2 --damping 1/10 --mass 3/2 --stiffness 30 --x0 1/5"
 PAIRS = {  # a line of the shell, where its answer is, and the same from Python
     f"expand {SI.removesuffix(' --x0 1/5')} --order 2 --digits 9": (

@@ -162,11 +162,11 @@ def test_strengths_of_one_exponent_have_one_map_and_other_exponents_another():
 
 
 def test_a_map_is_made_when_what_it_missed_repays_it():
-    """Ten half-swings of one law do not, those of many laws do; what is there serves a single half-swing."""
+    """Two half-swings of one law do not, those of many laws do; what is there serves a single half-swing."""
     made = Panels.alone(Law({"3/2": "1/5"}), 60)
     work = from_zero(made.map.coordinate, 0.2, made.map.bits, quartered=True).work(True)
-    found = [served(made, 60, [1], 10)[0] for _ in range(work)]
-    assert work > 15 and [swing is None for swing in found].index(False) == work - 10
+    found = [served(made, 60, [1], 2)[0] for _ in range(work)]
+    assert work > 4 and [swing is None for swing in found].index(False) == work - 2
     assert served(made, 60, [0.5], 1)[0] is not None and len(made.map.made) == 1
 
 

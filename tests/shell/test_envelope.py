@@ -11,6 +11,7 @@ import asymptotics as asy
 from asymptotics.ask.questions.envelope import envelope_at
 from asymptotics.shell.main import main
 from tests.shell.answers import answer, run
+from tests.worlds import OSCILLATOR
 
 PAIRS = (
     ("0:1/20", "2:3/10"), ("0:1/10", "sqrt(3):1/10"), ("2:1/5", "3:2"), ("3:1/5", "1:1/10"), ("0:0", "3/2:1/5"),
@@ -181,7 +182,7 @@ def test_the_files_of_the_envelope(capsys, tmp_path, monkeypatch):
 
 def test_the_numbers_of_an_order_in_python_are_those_of_the_solution():
     """Another route: ``solution`` has x of that order; A and phi of both are the same functions."""
-    osc = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+    osc = OSCILLATOR
     for order in (1, 3):
         A, phi = asy.envelope(osc).at_order(7, order, digits=12)
         point = asy.solution(osc, order=order).at_time(osc, 7, 12)

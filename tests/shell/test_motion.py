@@ -9,6 +9,7 @@ import pytest
 import asymptotics as asy
 from asymptotics.ask.questions.motion import motion_at
 from tests.shell.answers import answer, run
+from tests.worlds import OSCILLATOR
 
 DRAG = "--alpha 3/2 --mass 3/2 --stiffness 30 --damping 1/10 --x0 1/5"
 
@@ -131,7 +132,7 @@ def test_a_reference_has_a_certificate_and_an_estimate_has_none(capsys, tmp_path
 
 
 def test_the_question_in_python_says_what_the_objects_say():
-    osc = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+    osc = OSCILLATOR
     found = motion_at(osc, 7, order=2, digits=9, bound=True)
     assert found.point == asy.motion(osc, order=2).at(7, digits=9)
     assert found.bound == asy.motion(osc, order=2).bound(7, digits=9)

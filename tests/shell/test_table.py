@@ -82,3 +82,11 @@ def test_bad_input_is_one_line_and_exit_2(capsys, tmp_path, monkeypatch, argumen
     assert (code, out) == (2, "")
     assert err.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("option", ["--plot=a.svg", "--csv=a.csv", "--html=a.html", "--certificate=a.json"])
+def test_a_list_of_tables_writes_no_file_and_says_so(capsys, tmp_path, monkeypatch, option):
+    """The files of --list were left out without a word."""
+    monkeypatch.chdir(tmp_path)
+    assert main(["table", "--list", option]) == 2
+    assert option.partition("=")[0] in capsys.readouterr().err and not list(tmp_path.iterdir())

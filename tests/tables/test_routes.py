@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 import sympy
 from scipy.integrate import quad, solve_ivp
+from scipy.optimize import brentq
 
 from asymptotics.expansions.divergence.constants import stokes_balls
 from asymptotics.law import Law
@@ -214,6 +215,16 @@ def _(row):
     return {"lag": agrees(row["lag"], -W[(2,)] / U[(1,)] * e / (a - 1))}
 
 
+@route("resonance")
+def _(row):
+    """The work of the force 1 in step with the speed against that of the losses, R(A) = 1; half of it for the width."""
+    a, e = numbers_of(row["law"])
+    A = brentq(lambda A: 2 * slow_law(a, e, A) - 1, 1e-9, 1e9, xtol=1e-15, rtol=1e-14)
+    half = 2 * slow_law(a, e, A / 2**0.5)
+    known = {"amplitude": A, "Q_decay": A, "Q_width": A / (2 * (1 - half**2)) ** 0.5}
+    return {column: agrees(row[column], value, 1e-10) for column, value in known.items()}
+
+
 @route("two-law-times")
 def _(row):
     a, e = numbers_of(row["law"])
@@ -329,6 +340,7 @@ MORE = [
     ("half-periods", Inputs.of(law=Law({0: "1/10", "3/2": "1/2"}))),
     ("two-law-times", Inputs.of(law=Law({"1/3": "1/10", "7/2": "1/5"}))),
     ("stops", Inputs.of(epsilons=["1/7", "2", "1/1000"])),
+    ("resonance", Inputs.of(law=Law({"1/2": "1/5", "7/3": "1/3"}))),
     ("phase-lags", Inputs.of(alphas=["sqrt(2)"], epsilons=["1/3"])),
 ]
 

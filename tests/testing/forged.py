@@ -10,7 +10,7 @@ from asymptotics.certificates.equation import Equation
 from asymptotics.certificates.layout import Plan, swing
 from asymptotics.certificates.of_results import of_states
 from asymptotics.certificates.pieces import piece
-from asymptotics.certificates.series import Series, _power, in_motion
+from asymptotics.certificates.series import PowerSeries, _power, in_motion
 from asymptotics.law import Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.context import ctx
@@ -141,7 +141,7 @@ def pushed_off():
     length = 2 * Fraction(first["scale"])
     with ctx.workprec(200):
         series = in_motion(equation, arb(1), arb(-1) / 10, 40)
-        roots = Series(2, 2, {2 * n: c for n, c in series.y.items()}, series.v, ({},))
+        roots = PowerSeries(2, 2, {2 * n: c for n, c in series.y.items()}, series.v, ({},))
         leave = piece("leave", roots, equation, length, content["bits"])
     return changed(content, start=["1", "0"], root=2, pieces=[leave, *content["pieces"][1:]])
 

@@ -22,7 +22,7 @@ from asymptotics.turning.abel_flow import AbelFlow, DefectBound, abel_flow
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.jump import planned
 from asymptotics.turning.routes import abel_flow as by_flow
-from asymptotics.turning.table import Request
+from asymptotics.turning.table import PointsRequest
 
 LAWS = [(("3/2", "3"), ("1/1000", "1/100000")), (("sqrt(2)", "5/2"), ("1/1000", "1/100000"))]
 
@@ -171,7 +171,7 @@ def test_a_moving_start_reaches_far_points_of_one_law():
 def test_what_is_out_of_reach_is_refused():
     with ctx.workprec(80), pytest.raises(UndecidedError, match=r"not decrease here|too large|no circle"):
         flow_of((("3/2", "3"), ("2", "5")), 2).advance(arb(0), 100)
-    assert by_flow.serves(Request.read(Law({"3/2": "1/5", 3: 1}), 1, 1000, start=10**18)) > 1000
+    assert by_flow.serves(PointsRequest.read(Law({"3/2": "1/5", 3: 1}), 1, 1000, start=10**18)) > 1000
     assert planned([parse_real("1.000001", "a"), parse_real("3", "a")], 120, 10**18).seconds > 60
 
 

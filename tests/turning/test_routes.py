@@ -13,7 +13,7 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Law
 from asymptotics.turning.choose import choose, offers, turning_points
 from asymptotics.turning.routes import ROUTES
-from asymptotics.turning.table import Request
+from asymptotics.turning.table import PointsRequest
 
 QUICK = [  # law, count, digits, and the rest of the request
     ({0: "10/503"}, 4, 20, {}),
@@ -64,7 +64,7 @@ def off(made):
 
 def serving(made, enough):
     law, count, digits, rest = asked(*made)
-    return [r.name for r, s in offers(Request.read(law, count, digits, **rest)) if s is not None and s < enough]
+    return [r.name for r, s in offers(PointsRequest.read(law, count, digits, **rest)) if s is not None and s < enough]
 
 
 def compared(made, enough):
@@ -106,14 +106,14 @@ def test_dry_friction_and_drag_have_their_primitive_beside_the_linear_spring():
 
 def test_the_cheapest_route_is_taken_and_one_can_be_named():
     chosen = {
-        "dry": Request.read(Law({0: "1/50"}), 5, 20),
-        "linear": Request.read(Law({1: "1/5", 3: 0}), 5, 20),
-        "quadratic": Request.read(Law({2: "1/5"}), 5, 20, start=10**9),
-        "closed-primitive": Request.read(Law({2: "1/5"}, spring={3: 1}), 5, 20),
-        "abel-series": Request.read(Law({"3/2": "1/5"}), 1, 40, start=10**9),
-        "abel-flow": Request.read(Law({"3/2": "1/5", 3: 1}), 1, 20, start=10**9),
-        "interpolated": Request.read(Law({"3/2": "1/5"}), 2000, 20),
-        "stepping": Request.read(Law({"3/2": "1/5"}, spring="pendulum"), 5, 20),
+        "dry": PointsRequest.read(Law({0: "1/50"}), 5, 20),
+        "linear": PointsRequest.read(Law({1: "1/5", 3: 0}), 5, 20),
+        "quadratic": PointsRequest.read(Law({2: "1/5"}), 5, 20, start=10**9),
+        "closed-primitive": PointsRequest.read(Law({2: "1/5"}, spring={3: 1}), 5, 20),
+        "abel-series": PointsRequest.read(Law({"3/2": "1/5"}), 1, 40, start=10**9),
+        "abel-flow": PointsRequest.read(Law({"3/2": "1/5", 3: 1}), 1, 20, start=10**9),
+        "interpolated": PointsRequest.read(Law({"3/2": "1/5"}), 2000, 20),
+        "stepping": PointsRequest.read(Law({"3/2": "1/5"}, spring="pendulum"), 5, 20),
     }
     assert {name: choose(request).name for name, request in chosen.items()} == {
         route.name: route.name for route in ROUTES
@@ -127,8 +127,8 @@ def test_the_cheapest_route_is_taken_and_one_can_be_named():
 
 def test_a_route_with_times_or_a_velocity_is_one_that_knows_them():
     drag = Law({2: "1/5"}, spring="pendulum")
-    assert choose(Request.read(drag, 5, 20, times=True)).name == "stepping"
-    assert choose(Request.read(drag, 5, 20, v0=1)).name == "stepping"
+    assert choose(PointsRequest.read(drag, 5, 20, times=True)).name == "stepping"
+    assert choose(PointsRequest.read(drag, 5, 20, v0=1)).name == "stepping"
     with pytest.raises(LimitError):
         turning_points(drag, 100_000, 900, max_seconds=5)
 

@@ -65,7 +65,7 @@ def _csv(found: DampingLaw, request: Request) -> str:
 
 
 # What tells every double apart: the fit is one in doubles.
-_COLUMNS, _DIGITS = ("A", "zeta", "Q", "decrement", "n", "cycles", "t", "resolution"), 17
+_COLUMNS, _DIGITS = ("A", "zeta", "Q", "decrement", "force", "omega", "n", "cycles", "t", "resolution"), 17
 
 
 def _again(request: dict[str, str], header: list[str], rows: list[tuple[int, list[str]]], *_: Any) -> Comparison:
@@ -137,7 +137,7 @@ def damping_law(
     Parameters
     ----------
     table
-        columns A, zeta (Q, decrement; or n, cycles, t of two amplitudes or more), resolution: the law
+        columns A, zeta (Q, decrement; n, cycles, t of two amplitudes or more; or force), resolution: the law
     resolution
         with --from: the standard deviation of each value
     laws
@@ -164,7 +164,9 @@ def damping_law(
     A [mm]), one of zeta, Q, decrement (zeta [%] in per cent), and perhaps resolution (the standard deviation of each).
     In their place the amplitudes of a decay themselves: n counts half-swings, cycles periods, t is the time in s
     (omega_0 t without ``mass`` and ``stiffness``); resolution is that of A then.  Two amplitudes tell the strength of
-    each law of one term.  Source: derivation ``equivalent-damping``.
+    each law of one term.  Or the force under which each amplitude was measured, in a column force, and its angular
+    frequency in a column omega (omega_0 without one): resolution is that of A, and the law is that of the resonance
+    (derivation ``driven-first-order``).  Source: derivation ``equivalent-damping``.
 
     Examples
     --------

@@ -31,7 +31,7 @@ _NUMBER = "an exponent instead of --alpha symbolic"
 
 
 @dataclass(frozen=True)
-class Expansion:
+class ExpandAnswer:
     """The equations, and what was asked besides: the best order at a local strength, the bound of what O() holds."""
 
     equations: Equations
@@ -69,7 +69,7 @@ class SymbolicExpansion:
 
 
 _LATEX = {"Omega": r"\Omega"}
-Found = Expansion | SymbolicExpansion
+Found = ExpandAnswer | SymbolicExpansion
 
 
 def _deltas(found: Equations, given: GivenTerms) -> list[tuple[str, str, str]]:
@@ -133,7 +133,7 @@ def _latex(found: Found, request: Request) -> str:
 
 
 def _csv(found: Found, _: Request) -> str:
-    assert isinstance(found, Expansion)  # a symbolic exponent has no file: refused before
+    assert isinstance(found, ExpandAnswer)  # a symbolic exponent has no file: refused before
     return rows_csv({"p": found.equations.p.named(), "Omega": found.equations.Omega.named()})
 
 
@@ -180,7 +180,7 @@ def expand(
     order: Annotated[int, whole(1, MAX_ORDER)] = 4,
     gauge: Annotated[str, choice(*GAUGES, letter="G", of="gauge")] = TURNING_POINT,
     exact: Annotated[bool, FLAG] = False,
-    best_order: Annotated[Number | None, REAL.called(letter="D")] = None,
+    best_order: Annotated[Number | None, REAL.called(letter="D", feeds={"delta": ("best_order",)})] = None,
     bound: Annotated[bool, FLAG] = False,
     digits: Annotated[int, digits(MAX_DIGITS)] = 30,
     max_seconds: Annotated[Number, SECONDS] = 60,
@@ -252,7 +252,7 @@ def expand(
     # loads NumPy, which nothing else here needs.
     remainder = import_module("asymptotics.bounds.remainder").remainder if bound else None
     proved = None if remainder is None else remainder(bare, order=order, max_seconds=max_seconds)
-    return Expansion(found, best, proved)
+    return ExpandAnswer(found, best, proved)
 
 
 def _symbolic(given: TermsInUnits, order: int, gauge: str, digits: int) -> SymbolicExpansion:

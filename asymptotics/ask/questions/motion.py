@@ -169,7 +169,7 @@ def motion_at(
     *,
     order: Annotated[int | None, whole(1, MAX_ORDER).called(default=f"{DEFAULT_ORDER}")] = None,
     bound: Annotated[bool, FLAG] = False,
-    best_order: Annotated[Number | None, REAL.called(letter="D")] = None,
+    best_order: Annotated[Number | None, REAL.called(letter="D", feeds={"delta": ("best_order",)})] = None,
     reference: Annotated[bool, FLAG] = False,
     gauge: Annotated[str | None, choice(*GAUGES, letter="G", of="gauge").called(default="the first")] = None,
     static: Annotated[Number | None, REAL.called(letter="F", group="the law")] = None,

@@ -24,7 +24,7 @@ def _data(found: Response, request: Request) -> dict[str, Any]:
 @question(
     Offers(
         latex="print the first harmonic as LaTeX",
-        picture="the amplitude of first order against Omega, and that of the response",
+        picture="amplitude and phase of first order against Omega, the backbone of the free decay, and the response",
         table="the numbers",
         data=_data,
         lacks={"gauge": "what is observed is the same in every gauge", "points": "the answer is no curve"},
@@ -50,10 +50,11 @@ def response(
 
     The power of a loss grows with the speed, so two motions under one force never part: there is one periodic response,
     no jumps, and every motion tends to it.  To first order x = A cos(W t - phase) in closed form, for every exponent:
-    beside A and the phase c_eq, the amplitude at omega_0, Q there of the decay and of the half-power width, and where
-    the amplitude is largest.  The response itself, all digits proved, for exponents from 1 on and their sums, where it
-    turns once in half a period: `amplitude` its largest |x|; `x0` and `v0` at t = 0, where the force is F; `phase`, by
-    which its first harmonic lags behind the force, 0 to pi; the energy that a cycle takes, and the harmonics.  Else
+    beside A and the phase c_eq, the amplitude at omega_0, Q there of the decay and of the half-power width, where the
+    amplitude is largest, and an estimate of the error by the next harmonics.  The response itself, all digits proved,
+    for exponents from 1 on and their sums, where it turns once in half a period: `amplitude` its largest |x|; `x0` and
+    `v0` at t = 0, where the force is F; `phase`, by which its first harmonic lags behind the force, 0 to pi; the energy
+    that a cycle takes, the harmonics, and `difference`, what amplitude and phase are beyond first order.  Else
     `certified` is false, the notes say why, and the first order is all there is.
 
     Without units m = k = 1; with --damping, --mass or --stiffness everything is in SI: F in N, W in rad/s, x in m.

@@ -225,5 +225,5 @@ def _routes(moving: Given, count: int, digits: int, start: int, times: bool) -> 
     # As it is computed: from 1, with strengths epsilon_i x0^(alpha_i-1), unless springs or a speed forbid it.
     pure = moving.oscillator.law.is_pure and moving.oscillator.v0.is_zero
     law, kick = dimensionless(moving.oscillator) if moving.frame or pure else _bare(moving.oscillator)
-    offered = offers(table.Request.read(law, count, digits, start=start, times=times, **kick))
+    offered = offers(table.PointsRequest.read(law, count, digits, start=start, times=times, **kick))
     return Routes(tuple((r.name, "no" if s is None else f"{s:.2g}", r.domain, r.way) for r, s in offered))

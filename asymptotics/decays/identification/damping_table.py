@@ -1,5 +1,6 @@
-"""From a table (A, zeta), (A, Q) or (A, decrement) with resolutions to laws with intervals.  A linear inverse problem:
-least squares with strengths >= 0 and profile intervals (``identification.inverse_damping``).
+"""From a table (A, zeta), (A, Q), (A, decrement) or (A, force) with resolutions to laws with intervals.
+
+A linear inverse problem: least squares with strengths >= 0 and profile intervals (``identification.inverse_damping``).
 
 >>> A = ["0.1", "0.2", "0.4", "0.8"]
 >>> zeta = [0.0120, 0.0141, 0.0178, 0.0261]
@@ -21,6 +22,7 @@ import numpy as np
 from asymptotics.decays.identification.between_amplitudes import pairs
 from asymptotics.decays.identification.found_law import DampingLaw
 from asymptotics.decays.identification.inverse_damping import QUANTITIES, DampingCandidate, Problem, fitted, weighted
+from asymptotics.decays.identification.resonance_table import as_losses, beyond_first_order
 from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.decays.records.units import ANGLES, UNITS, seconds, suffix
 from asymptotics.equivalent.rows import OF_MOTION, row_at
@@ -43,6 +45,8 @@ NAMES = {
     "Q": ("q", "quality factor", "quality_factor"),
     "decrement": ("decrement", "lambda", "log decrement", "log_decrement"),
     "resolution": ("resolution", "sigma", "s", "uncertainty", "error"),
+    "force": ("f", "force"),
+    "omega": ("omega", "w"),
     "n": ("n",),
     "cycles": ("cycle", "cycles", "period", "periods", "count"),
     "t": ("t", "time", "tau"),
@@ -75,7 +79,11 @@ def law_of_table(
     spread = None if known is None else _positive(known, "resolution")
     given = _positive(columns["amplitude"], "A")
     ends, between = (float(given.min()), float(given.max())), quantity in CLOCKS
+    driven = quantity == "force"
     used = {"A": given.tolist(), quantity: columns[quantity].tolist()}
+    if driven:
+        columns |= {name: _positive(columns[name], name) for name in ("force", "omega") if name in columns}
+        used |= {"omega": columns["omega"].tolist()} if "omega" in columns else {}
     used |= {} if spread is None else {"resolution": spread.tolist()}
     if between:
         if spring is not None:
@@ -84,6 +92,11 @@ def law_of_table(
             )
         places, values, spread, said = _losses(columns, quantity, spread, mass, stiffness)
         quantity, notes = "decrement", (*notes, *said)
+    elif driven:
+        if spring is not None:
+            raise InputError("spring", "a driven table is read with a linear one", "a table of zeta, Q, decrement")
+        places, values, spread, said = as_losses(columns, spread, mass, stiffness)
+        quantity, notes = "zeta", (*notes, *said)
     else:
         places, values = given, _positive(columns[quantity], quantity)
     # One row more than strengths, or chi^2 has no degree of freedom and every candidate fits; two amplitudes alone give
@@ -95,6 +108,9 @@ def law_of_table(
     # m = k = 1 without them: b is epsilon then, in the unit of the amplitudes.
     problem = Problem(quantity, candidates, mass or 1, stiffness or 1, spring, between)
     table_of = places.tolist(), values.tolist(), None if spread is None else spread.tolist()
+    if driven:
+        table_of, said = _corrected(columns, fitted(*table_of, problem)[0], known, mass, stiffness)
+        notes += said
     found, (zeta, s) = fitted(*table_of, problem), weighted(*table_of, problem)
     if len(values) == 1:
         notes += ("one loss and one strength: each law of one term has its own, and none is tested",)
@@ -103,9 +119,20 @@ def law_of_table(
         found = tuple(replace(c, strengths=tuple(replace(e, low=nan, high=nan) for e in c.strengths)) for c in found)
     elif spread is None:
         notes += ("no resolutions: taken equal, as large as the best candidate needs, so none is refuted by chance",)
-    off = _neglected(problem, found[0], ends)
+    off = None if driven else _neglected(problem, found[0], ends)
     relative = inf if spread is None and len(values) == 1 else float(np.median(s / zeta))
     return DampingLaw(problem, found, len(given), ends, off, relative, mass is not None, (*notes, *skipped), used)
+
+
+def _corrected(
+    columns: dict[str, Any], best: DampingCandidate, spread: Any, mass: ExactReal | None, stiffness: ExactReal | None
+) -> tuple[tuple[Any, Any, Any], tuple[str, ...]]:
+    """The table with its amplitudes brought to first order, by the next harmonics of the best law."""
+    off = beyond_first_order(columns, {s.alpha: s.estimate for s in best.strengths}, mass, stiffness)
+    places, values, error, _ = as_losses({**columns, "amplitude": columns["amplitude"] - off}, spread, mass, stiffness)
+    share = float(np.max(abs(off / columns["amplitude"])))
+    told = f"amplitudes less what the next harmonics of {best.name} add, {100 * share:.2g} % at most (an estimate)"
+    return (places.tolist(), values.tolist(), None if error is None else error.tolist()), (told,)
 
 
 def _losses(
@@ -145,14 +172,15 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
     quantities = [q for q in QUANTITIES if q in columns]
     # Without any of them the amplitudes themselves tell the loss, by their numbers or times.
     clocks = [c for c in CLOCKS if c in columns]
-    quantities = quantities or clocks[:1]
-    unused = [c for c in clocks if c != quantities[0]] if quantities else []
+    quantities = quantities or (["force"] if "force" in columns else clocks[:1])
+    kept = {"force", "omega"} if quantities == ["force"] else {*quantities[:1]}
+    unused = [c for c in (*clocks, "force", "omega") if c in columns and c not in kept] if quantities else []
     if "amplitude" not in columns or len(quantities) != 1:
         reason = "no column A" if "amplitude" not in columns else f"{len(quantities)} of the columns zeta, Q, decrement"
         raise InputError(
             "table",
             f"it has {reason}",
-            "columns A and one of zeta, Q, decrement (or n, cycles, t of the amplitudes), perhaps resolution",
+            "columns A and one of zeta, Q, decrement (or n, cycles, t of the amplitudes; or force), perhaps resolution",
         )
     if len({len(c) for c in columns.values()}) != 1:
         raise InputError("table", "its columns differ in length", "columns of one length")

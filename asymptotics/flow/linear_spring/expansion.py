@@ -37,6 +37,7 @@ from flint import arb, arb_poly
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import dyadic, size_of, upper
 from asymptotics.flow.damping import Damping
+from asymptotics.flow.growing_product import GrowingProduct
 from asymptotics.flow.linear_spring.kept_terms import KeptTerms, plan_for, sums_below
 from asymptotics.flow.linear_spring.majorant import majorant
 from asymptotics.flow.linear_spring.rows import Row, rows_below
@@ -249,16 +250,19 @@ def _on_a_line(damping: Damping, y0: arb, plan: KeptTerms) -> tuple[arb_poly, ar
     force = {int(a.rational * q): e for a, e in zip(damping.alphas, damping.strengths)}
     Q, y, reached = [1 / y0], [y0], sums_below(plan.count, (2 * q, *force))
     scale, none = -1 / y0, arb(0)
-    places: list[int] = []  # of the coefficients of P, after the first, that are not 0
+    # Where few coefficients vanish the product of P - P_0 and Q grows by blocks; elsewhere those that do are left out.
     P: list[arb] = []
+    dense = GrowingProduct(P, Q, plan.count) if 2 * sum(reached) > plan.count else None
+    places: list[int] = []  # of the coefficients of P, after the first, that are not 0
     for k in range(1, plan.count):
-        # The recurrence of the module's docstring with e = k/q; products with coefficients that vanish are not formed.
+        # The recurrence of the module's docstring with e = k/q.
         squared = k >= 2 * q and reached[k - 2 * q]
         y.append(-Q[k - 2 * q] * q / k if squared else none)
-        if squared or k in force:
+        if dense or squared or k in force:
             places.append(k)
             P.append(y[k] - force[k] if k in force else y[k])
-        Q.append(scale * sum(map(mul, P, [Q[k - f] for f in places]), none) if reached[k] else none)
+        found = dense.last() if dense else sum(map(mul, P, [Q[k - f] for f in places]), none) if reached[k] else none
+        Q.append(scale * found if reached[k] else none)
     return arb_poly(y), arb_poly([c * q / (k + q) for k, c in enumerate(Q)])
 
 

@@ -17,13 +17,13 @@ from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.routes.interpolated import mapped_in_words
 from asymptotics.turning.routes.stepping import require_moderate, swing_seconds
-from asymptotics.turning.table import Progress, Request
+from asymptotics.turning.table import PointsRequest, Progress
 
 _LEAST = 1000
 """Starts up to here are no farther than the head of any plan."""
 
 
-def serves(request: Request) -> float | None:
+def serves(request: PointsRequest) -> float | None:
     """The seconds; None unless every exponent is above 1, and the start lies beyond the head."""
     law = request.law
     if not law.is_pure or not all(a > 1 for a in law.alphas) or len(law.terms) < 2 or request.start <= _LEAST:
@@ -31,7 +31,7 @@ def serves(request: Request) -> float | None:
     return _seconds(request)
 
 
-def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+def points(request: PointsRequest, progress: Progress = lambda done: None) -> TurningPoints:
     """The turning points, which never end; LimitError for the sizes, UndecidedError where delta stays too large."""
     require_moderate(request, _seconds(request))
     laws = sorted(request.law.terms, key=attrgetter("velocity"))
@@ -53,7 +53,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     return enclosed(request, orbit, lambda bits: words, bits_of(request), progress)
 
 
-def _seconds(request: Request) -> float:
+def _seconds(request: PointsRequest) -> float:
     bits = bits_of(request)
     far = planned(request.law.alphas, bits, request.start)
     head = min(far.head, request.start)

@@ -17,10 +17,10 @@ from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.routes.interpolated import mapped_in_words
 from asymptotics.turning.routes.stepping import require_moderate, swing_seconds
-from asymptotics.turning.table import Progress, Request
+from asymptotics.turning.table import PointsRequest, Progress
 
 
-def serves(request: Request) -> float | None:
+def serves(request: PointsRequest) -> float | None:
     """The seconds; None unless one alpha > 1 acts alone, and the start lies beyond the head."""
     law = request.law
     if not law.is_pure or len(law.terms) > 1 or not law.alphas[0] > 1:
@@ -33,7 +33,7 @@ def serves(request: Request) -> float | None:
     return swing_seconds(request, head + request.count, pieces) + jump_seconds(bits)
 
 
-def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+def points(request: PointsRequest, progress: Progress = lambda done: None) -> TurningPoints:
     """The turning points, which never end; LimitError for the sizes, UndecidedError where delta stays too large."""
     require_moderate(request, serves(request) or 0.0)
     alpha, epsilon = request.law.alphas[0], request.law.terms[0].strength

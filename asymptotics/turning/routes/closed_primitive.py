@@ -6,7 +6,7 @@ which is some fifty times faster (``quadratic``).
 
 >>> from asymptotics.law import Law
 >>> law = Law({2: "1/5"}, spring="pendulum")
->>> [p.x for p in points(Request.read(law, 3, 12, x0=2)).points]
+>>> [p.x for p in points(PointsRequest.read(law, 3, 12, x0=2)).points]
 ['2.00000000000', '-1.20380409635', '0.891896868559']
 """
 
@@ -26,13 +26,13 @@ from asymptotics.running.budget import require_seconds
 from asymptotics.turning.energy_primitive import PrimitiveWell, primitive_serves, swings
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Ended, Kept, Points, Progress, Request
+from asymptotics.turning.table import Ended, Kept, Points, PointsRequest, Progress
 
 MAX_DIGITS, MAX_LAST = 1000, 100_000
 _DOUBLINGS = 5
 
 
-def serves(request: Request) -> float | None:
+def serves(request: PointsRequest) -> float | None:
     """The seconds; None for other forces, for times, for a start in motion, and beyond the limits."""
     if not primitive_serves(request.law) or request.times or request.in_motion:
         return None
@@ -41,7 +41,7 @@ def serves(request: Request) -> float | None:
     return primitive_seconds(request.last + 1, _bits(request))
 
 
-def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+def points(request: PointsRequest, progress: Progress = lambda done: None) -> TurningPoints:
     """The turning points from rest at ``place``, in the units of the strengths.
 
     InputError for a force other than alpha = 0, 2 and springs of the position, or a start outside the well (V' > 0 from
@@ -63,11 +63,11 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
         return at_growing_precision(attempt, request.digits, bits, max_bits=bits << _DOUBLINGS)
 
 
-def _bits(request: Request) -> int:
+def _bits(request: PointsRequest) -> int:
     return bits_for(request.digits, 48) + 2 * (request.last + 1).bit_length()
 
 
-def _rounded(request: Request, bits: int, progress: Progress, made: list[TurningPoint]) -> tuple[Points, Ended]:
+def _rounded(request: PointsRequest, bits: int, progress: Progress, made: list[TurningPoint]) -> tuple[Points, Ended]:
     """The points and how they end; TooWideError where one cannot be rounded, or what follows it is undecided."""
     well = PrimitiveWell.of(request.law)
     if request.place.is_zero:
@@ -88,7 +88,7 @@ def _rounded(request: Request, bits: int, progress: Progress, made: list[Turning
     raise TooWideError("the next turning point is not enclosed")
 
 
-def _places(request: Request, well: PrimitiveWell, bits: int) -> Iterator[tuple[arb | ExactReal, bool | None]]:
+def _places(request: PointsRequest, well: PrimitiveWell, bits: int) -> Iterator[tuple[arb | ExactReal, bool | None]]:
     """The places as exact numbers as long as they are rational, in balls from the last one on."""
     # Exact places first, with their ties; balls take over from the last of them.
     stops = rational_stops(request.law.terms, request.place)

@@ -12,7 +12,7 @@ turns at theta = pi, at the amplitude a = R - c.  Where a/c is rational, ties ar
 route serves.
 
 >>> from asymptotics.law import Law
->>> table = points(Request.read(Law({0: "3/10"}), 5, 10, times=True))
+>>> table = points(PointsRequest.read(Law({0: "3/10"}), 5, 10, times=True))
 >>> [(p.n, p.x, p.tau) for p in table.points], table.ended
 ([(0, '1.000000000', '0'), (1, '-0.4000000000', '3.141592654'), (2, '-0.2000000000', '6.283185307')],
  {'n': 2, 'reason': 'sticks'})
@@ -28,7 +28,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.dry_friction import amplitude_in_motion, half_swings_until
 from asymptotics.turning.result import Number, TurningPoints, proved_digits, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Ended, Kept, Points, Progress, Request
+from asymptotics.turning.table import Ended, Kept, Points, PointsRequest, Progress
 
 METHOD = "closed form, exact"
 
@@ -42,7 +42,7 @@ def last_turning_point(epsilon: ExactReal) -> int:
     return half_swings_until(ExactReal(1), epsilon, epsilon)
 
 
-def serves(request: Request) -> float | None:
+def serves(request: PointsRequest) -> float | None:
     """The seconds; None unless dry friction acts alone, and the first amplitude is a rational multiple of epsilon."""
     alone = request.alone
     if alone is None or alone[0] != 0 or (request.in_motion and _first_amplitude(request) is None):
@@ -50,7 +50,7 @@ def serves(request: Request) -> float | None:
     return closed_form_seconds(request.count, request.digits)
 
 
-def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+def points(request: PointsRequest, progress: Progress = lambda done: None) -> TurningPoints:
     """The turning points as far as they exist; all digits are correctly rounded."""
     if not request.in_motion:
         return request.table(*_from_rest(request, request.epsilon, 1, progress))
@@ -66,7 +66,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
 
 
 def _from_rest(
-    request: Request, epsilon: ExactReal, side: int, progress: Progress, first: dict[str, str] | None = None
+    request: PointsRequest, epsilon: ExactReal, side: int, progress: Progress, first: dict[str, str] | None = None
 ) -> tuple[Points, str, Ended]:
     """The points from X = ``side`` at rest, the method, and how they end."""
     last = last_turning_point(epsilon)
@@ -79,7 +79,7 @@ def _from_rest(
     return tuple(made), METHOD, ended
 
 
-def _first_amplitude(request: Request) -> ExactReal | None:
+def _first_amplitude(request: PointsRequest) -> ExactReal | None:
     """a = R - c of a start in motion, where a/c is rational and it moves on at all; else None."""
     alone, v0 = request.alone, request.speed
     if alone is None:

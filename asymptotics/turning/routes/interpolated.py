@@ -6,7 +6,8 @@ law with the same exponents.  It serves where the local strengths are small enou
 the half-swings repay the nodes; the others are followed by pieces.
 
 >>> from asymptotics.law import Law
->>> serves(Request.read(Law({"3/2": "1/5"}), 5, 30)) < 2, serves(Request.read(Law({"3/2": "1/5"}), 5000, 30)) < 60
+>>> law = Law({"3/2": "1/5"})
+>>> serves(PointsRequest.read(law, 5, 30)) < 2, serves(PointsRequest.read(law, 5000, 30)) < 60
 (True, True)
 """
 
@@ -21,10 +22,10 @@ from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, e
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
 from asymptotics.turning.routes.stepping import require_moderate, swing_seconds
-from asymptotics.turning.table import Progress, Request
+from asymptotics.turning.table import PointsRequest, Progress
 
 
-def serves(request: Request) -> float | None:
+def serves(request: PointsRequest) -> float | None:
     """The seconds with a new map, nodes included; None where a closed form beats it.
 
     They do not depend on what was asked before, and neither do the words, whatever map is there already.
@@ -34,7 +35,7 @@ def serves(request: Request) -> float | None:
     return swing_seconds(request, *_worth(request))
 
 
-def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+def points(request: PointsRequest, progress: Progress = lambda done: None) -> TurningPoints:
     """The turning points as far as they exist."""
     steps, pieces = _worth(request)
     require_moderate(request, swing_seconds(request, steps, pieces))
@@ -49,7 +50,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     return enclosed(request, orbit, lambda bits: mapped_in_words(request), bits_of(request), progress)
 
 
-def mapped_in_words(request: Request, then: str = "") -> str:
+def mapped_in_words(request: PointsRequest, then: str = "") -> str:
     """How half-swings are found that a map may serve: the words are the same whichever of them it does.
 
     The bits are those of the first attempt, as a map and the pieces may need more of them at different points.
@@ -60,7 +61,7 @@ def mapped_in_words(request: Request, then: str = "") -> str:
     return found if request.in_motion else f"{found} or more"
 
 
-def _worth(request: Request) -> tuple[int, int]:
+def _worth(request: PointsRequest) -> tuple[int, int]:
     """How many half-swings there are, and how many by pieces they are worth."""
     steps = int(min(request.last + 1, most_swings(request.law)))
     return steps, panels_of(request.law, bits_of(request)).pieces(steps)

@@ -7,10 +7,10 @@ X'' + epsilon X' + X = 0 from rest at X = 1.  For epsilon < 2, with mu = (epsilo
 For epsilon >= 2 (critical damping included) X' has no zero after the start: the mass returns without passing X = 0.
 
 >>> from asymptotics.law import Law
->>> first = points(Request.read(Law({1: "1/5"}), 2, 12, times=True)).points[1]
+>>> first = points(PointsRequest.read(Law({1: "1/5"}), 2, 12, times=True)).points[1]
 >>> first.x, first.tau
 ('-0.729247614288', '3.15741941700')
->>> points(Request.read(Law({1: 2}), 2, 12)).ended
+>>> points(PointsRequest.read(Law({1: 2}), 2, 12)).ended
 {'n': 0, 'reason': 'overdamped'}
 """
 
@@ -23,12 +23,12 @@ from asymptotics.flow.linear_spring.trapping_regions import OVERDAMPED
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Kept, Progress, Request
+from asymptotics.turning.table import Kept, PointsRequest, Progress
 
 METHOD = "closed form, certified"
 
 
-def serves(request: Request) -> float | None:
+def serves(request: PointsRequest) -> float | None:
     """The seconds; None unless linear damping acts alone, from rest."""
     alone = request.alone
     if alone is None or alone[0] != 1 or request.in_motion:
@@ -36,7 +36,7 @@ def serves(request: Request) -> float | None:
     return closed_form_seconds(request.count, request.digits)
 
 
-def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+def points(request: PointsRequest, progress: Progress = lambda done: None) -> TurningPoints:
     """The turning points as far as they exist; all digits are correctly rounded."""
     epsilon = request.epsilon
     oscillates = epsilon < 2

@@ -1,12 +1,12 @@
 """Route "quadratic": quadratic damping alone (alpha = 2) by the Lambert W map, from any starting index.
 
 >>> from asymptotics.law import Law
->>> for point in points(Request.read(Law({2: 1}), 3, 20, times=True)).points:
+>>> for point in points(PointsRequest.read(Law({2: 1}), 3, 20, times=True)).points:
 ...     print(point.n, point.x, point.tau)
 0 1.0000000000000000000 0
 1 -0.41071968606103944670 3.3809710603589252128
 2 0.26356838641759692059 6.5808870083860533294
->>> points(Request.read(Law({2: 1}), 1, 20, start=10**9)).points[0].x
+>>> points(PointsRequest.read(Law({2: 1}), 1, 20, start=10**9)).points[0].x
 '7.4999999933950386713e-10'
 """
 
@@ -28,7 +28,7 @@ from asymptotics.turning.quadratic_duration import duration, node_count
 from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
 from asymptotics.turning.result import TurningPoints, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Kept, Progress, Request
+from asymptotics.turning.table import Kept, PointsRequest, Progress
 
 MAX_JUMP_DIGITS = 1_000  # the exact coefficients of the Abel function cost about digits^4
 MAX_SECONDS = 600
@@ -37,7 +37,7 @@ _DIRECT = 20_000  # up to this index it is cheaper to iterate than to set up the
 _SMALLEST, _LARGEST = Fraction(1, 10**12), Fraction(10**12)
 
 
-def serves(request: Request) -> float | None:
+def serves(request: PointsRequest) -> float | None:
     """The seconds; None unless quadratic damping acts alone, from rest, with 1e-12 <= epsilon <= 1e12."""
     alone = request.alone
     if alone is None or alone[0] != 2 or request.in_motion or not _SMALLEST <= alone[1] <= _LARGEST:
@@ -45,7 +45,7 @@ def serves(request: Request) -> float | None:
     return estimated_seconds(alone[1], request.count, request.digits, request.start, request.times)
 
 
-def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+def points(request: PointsRequest, progress: Progress = lambda done: None) -> TurningPoints:
     """The turning points, which never end, for X'' + X + epsilon X'|X'| = 0, X(0) = 1, X'(0) = 0.
 
     epsilon = b x0/m is Smith's u_0.  LimitError for more work than the stated limits.
@@ -103,7 +103,7 @@ def _magnitude(epsilon: ExactReal) -> int:
         return ceil(abs(log2(float(epsilon.ball().mid())))) + 1
 
 
-def _require_moderate(request: Request) -> None:
+def _require_moderate(request: PointsRequest) -> None:
     """LimitError for work beyond the limits of this route."""
     start, digits = request.start, request.digits
     if start > _DIRECT and digits > MAX_JUMP_DIGITS:

@@ -8,12 +8,12 @@ of the velocity beside the linear spring are nonexpansive, two motions never par
 they part at a rate that is bounded (``flow.wells``).
 
 >>> from asymptotics.law import Law
->>> table = points(Request.read(Law({"3/2": "1/10"}, spring="pendulum"), 2, 12, times=True, x0=2))
+>>> table = points(PointsRequest.read(Law({"3/2": "1/10"}, spring="pendulum"), 2, 12, times=True, x0=2))
 >>> table.points[1].x, table.points[1].tau, table.certified
 ('-1.53184190291', '3.94540754042', True)
->>> points(Request.read(Law({"3/2": "1/10"}, spring="pendulum"), 2, 12, x0=0, v0=3)).ended
+>>> points(PointsRequest.read(Law({"3/2": "1/10"}, spring="pendulum"), 2, 12, x0=0, v0=3)).ended
 {'n': -1, 'reason': 'rotates'}
->>> points(Request.read(Law({"3/2": "1/10"}), 2, 12, x0=0, v0=1)).first
+>>> points(PointsRequest.read(Law({"3/2": "1/10"}), 2, 12, x0=0, v0=1)).first
 {'amplitude': '0.933516582123', 'tau': '1.53303122970'}
 """
 
@@ -37,7 +37,7 @@ from asymptotics.running.budget import require_seconds
 from asymptotics.turning.enclosing import EnclosedMotion, bits_of, damping_of, enclosed, first_of, in_words
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Progress, Request
+from asymptotics.turning.table import PointsRequest, Progress
 
 MAX_DIGITS, MAX_LAST = 1000, 100_000
 METHOD = "half-swing by half-swing in the well, local expansions and Taylor steps in balls"
@@ -46,14 +46,14 @@ METHOD = "half-swing by half-swing in the well, local expansions and Taylor step
 _SPARE, _DOUBLINGS = 36, 3
 
 
-def serves(request: Request) -> float:
+def serves(request: PointsRequest) -> float:
     """The seconds: every request is served."""
     if request.law.is_pure:
         return swing_seconds(request, int(min(request.last + 1, most_swings(request.law))))
     return estimated_seconds(WellForce.of(request.law.terms), request.last + 1, _bits(request))
 
 
-def swing_seconds(request: Request, steps: int, pieces: int | None = None) -> float:
+def swing_seconds(request: PointsRequest, steps: int, pieces: int | None = None) -> float:
     """``steps`` half-swings under powers of the velocity, ``pieces`` of them by pieces and the rest interpolated."""
     law, bits = request.law, bits_of(request)
     apart = sum(not (t.velocity.is_rational and t.velocity.rational.denominator <= 20) for t in law.terms)
@@ -63,7 +63,7 @@ def swing_seconds(request: Request, steps: int, pieces: int | None = None) -> fl
     return seconds + stiff_seconds(panels.sizes, bits)
 
 
-def points(request: Request, progress: Progress = lambda done: None) -> TurningPoints:
+def points(request: PointsRequest, progress: Progress = lambda done: None) -> TurningPoints:
     """Turning points as far as they exist; ``ended["n"]`` is -1 if there is none.
 
     InputError for a start outside the well or a spring that depends on the velocity; LimitError for sizes;
@@ -74,7 +74,7 @@ def points(request: Request, progress: Progress = lambda done: None) -> TurningP
     return _in_well(request, progress)
 
 
-def _nonexpansive(request: Request, progress: Progress) -> TurningPoints:
+def _nonexpansive(request: PointsRequest, progress: Progress) -> TurningPoints:
     require_moderate(request, serves(request))
 
     def orbit() -> EnclosedMotion:
@@ -85,7 +85,7 @@ def _nonexpansive(request: Request, progress: Progress) -> TurningPoints:
     return enclosed(request, orbit, lambda bits: in_words(request, by, bits), bits_of(request), progress)
 
 
-def _in_well(request: Request, progress: Progress) -> TurningPoints:
+def _in_well(request: PointsRequest, progress: Progress) -> TurningPoints:
     if request.digits > MAX_DIGITS or request.last >= MAX_LAST:
         work = f"{request.digits} digits of {request.last + 1} points"
         raise LimitError("digits", work, f"{MAX_DIGITS} and {MAX_LAST}")
@@ -109,7 +109,7 @@ def _in_well(request: Request, progress: Progress) -> TurningPoints:
     return enclosed(request, orbit, lambda bits: METHOD, _bits(request), progress, doublings=_DOUBLINGS)
 
 
-def require_moderate(request: Request, seconds: float) -> None:
+def require_moderate(request: PointsRequest, seconds: float) -> None:
     """LimitError for more digits or more time than a law without a closed form is given."""
     if request.digits > MAX_DIGITS:
         reason = f"{request.digits} digits are too many for a law without a closed form"
@@ -117,7 +117,7 @@ def require_moderate(request: Request, seconds: float) -> None:
     require_seconds(seconds, f"{request.last + 1} half-swings with {request.digits} digits")
 
 
-def _bits(request: Request) -> int:
+def _bits(request: PointsRequest) -> int:
     return bits_for(request.digits, _SPARE) + 2 * (request.last + 1).bit_length()
 
 

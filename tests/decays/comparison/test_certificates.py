@@ -4,6 +4,7 @@ import pytest
 
 import asymptotics as asy
 from asymptotics.errors import InputError
+from tests.worlds import OSCILLATOR
 
 
 def claims_of(found):
@@ -30,7 +31,7 @@ def test_turning_points_in_units_have_no_tau_and_amplitudes_are_places():
 
 
 def test_a_motion_at_times():
-    osc = asy.Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+    osc = OSCILLATOR
     found = asy.compare({"t": ["0.5", "1/3"], "x": [0.1, 0.1], "v": [0.1, 0.2]}, osc, digits=9)
     claims = claims_of(found)
     assert [(c["t"], c["x"], c["v"]) for c in claims] == list(zip(["1/2", "1/3"], right(found, "x"), right(found, "v")))

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import mpmath
 import pytest
-from flint import arb, ctx
+from flint import arb, arb_poly, ctx
 from scipy.integrate import solve_ivp
 
 from asymptotics.errors import UndecidedError
@@ -160,6 +160,24 @@ def test_many_speeds_from_one_line(law, y0):
                 assert all(x.overlaps(y) and x.rad() < arb(2) ** -80 for x, y in zip(found, truth))
         moved = replace(line, line=tuple(p.left_shift(1) for p in line.line))
         assert not any(x.overlaps(y) for x, y in zip(moved.state(w), truth))
+
+
+@pytest.mark.parametrize("law", [(("3/2", "1/5"),), (("1", "1/20"), ("3", "1/5")), (("2", "1/5"),)])
+def test_a_line_solves_its_equations(law):
+    """P Q = 1 and dy/dw = -w Q to the last coefficient, whole or with zeros left out; one that is off is noticed."""
+    d = damping_of(*law)
+    with ctx.workprec(300):
+        found = TurningExpansion.at(d, arb("0.75"))
+        (y, slow), q = found.line, found.root
+        force = {int(a.rational * q): e for a, e in zip(d.alphas, d.strengths)}
+        P = arb_poly([c - force.get(k, 0) for k, c in enumerate(y)])
+        Q = arb_poly([c * (k + q) / q for k, c in enumerate(slow)])
+        count = min(len(P), len(Q))
+        ones = [c.contains(int(k == 0)) for k, c in enumerate((P * Q).coeffs()[:count])]
+        assert count > 200 and ones == [True] * count
+        assert all((y[k] * k / q + Q[k - 2 * q]).contains(0) for k in range(2 * q, count))
+        Q[count // 2] += arb(2) ** -200
+        assert not (P * Q)[count // 2].contains(0)
 
 
 @pytest.mark.parametrize("law", [(("sqrt(2)", "1/5"),), (("37/20", "1/5"),), (("3/2", "1/5"), ("5/2", "1/3"))])

@@ -38,7 +38,7 @@ between an amplitude and half of it; and the AICc above the best up to which a c
 
 
 @dataclass(frozen=True)
-class Envelope:
+class MeasuredEnvelope:
     """``period`` and ``half_life`` (from the first amplitude) in the file's unit of ``time``, None without times;
     ``quality``: Q at three amplitudes, in the ``unit`` of x; ``backbone``: the period at them, of turning times."""
 
@@ -82,7 +82,7 @@ class Envelope:
         )
 
 
-def envelope(seen: Observations) -> Envelope | None:
+def envelope(seen: Observations) -> MeasuredEnvelope | None:
     """From the turning points of a run; None where they are too few, or some are 0."""
     size = np.abs(seen.x - (rest_position(seen) if seen.samples is None else 0.0))
     inside = seen.inside
@@ -105,7 +105,7 @@ def envelope(seen: Observations) -> Envelope | None:
     life = None if step is None else _half_life(decline, size, step)
     time = seen.time_unit or "s"
     period, life = (v and {k: e / SECONDS[time] for k, e in v.items()} for v in (period, life))
-    return Envelope(period, quality, life, seen.unit, time, _backbone(seen, n, size, time))
+    return MeasuredEnvelope(period, quality, life, seen.unit, time, _backbone(seen, n, size, time))
 
 
 def _backbone(seen: Observations, n: Indices, size: Array, time: str) -> tuple[Ends, ...]:

@@ -9,7 +9,7 @@ from asymptotics.decays.identification.judging.judgement import rivals
 from asymptotics.decays.identification.judging.laws import Judged
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.telling.agreement import agreed
-from asymptotics.decays.identification.telling.envelope import Envelope, envelope
+from asymptotics.decays.identification.telling.envelope import MeasuredEnvelope, envelope
 from asymptotics.decays.identification.telling.equivalents import equivalent
 from asymptotics.decays.identification.telling.in_words import in_words
 from asymptotics.decays.identification.telling.law_answer import LETTERS, LawAnswer, number_text
@@ -89,7 +89,7 @@ class Identification(Alike, Rows, Drawn):
         rows = {name: [number_text(x) for x in found[name]] for name in ("amplitudes", "Q", "zeta")}
         return rows | {"half_life": number_text(found["half_life"]), "half_life_unit": found["half_life_unit"]}
 
-    def _bare(self) -> Envelope | None:
+    def _bare(self) -> MeasuredEnvelope | None:
         """Period, Q(A) and half-life before any law; of several runs, those of the first."""
         run = self.runs[0]
         return envelope(run) if isinstance(run, Observations) else None

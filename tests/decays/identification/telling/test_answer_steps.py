@@ -172,7 +172,7 @@ def test_a_report_names_its_runs_its_laws_and_its_provenance(monkeypatch, words)
     page = report.html_report(answer(law_answer(reason="for < this")), {"SHA-256": "<digest>"})
     for wanted in (
         "Which damping law? a &lt;run&gt;", "<p>more swings</p>", "<p>words of 1</p>",
-        "<code>x&#x27;&#x27; + x + e1 x&#x27; = 0</code>",
+        "x'' + x + e1 x' = 0",
         "<tr><td>1</td><td>consistent</td><td>0.5</td><td>-</td><td>0.05 [0.04, 0.06]</td><td>for &lt; this</td></tr>",
         "<th>law</th><th>verdict</th><th>ΔAICc</th><th>held-out error</th><th>strengths [interval]</th><th>why</th>",
         "<tr><td>SHA-256</td><td>&lt;digest&gt;</td></tr>", "<ul><li>a note</li></ul>", "identified: 1",

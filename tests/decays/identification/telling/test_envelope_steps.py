@@ -8,7 +8,7 @@ from scipy.stats import t as student
 
 from asymptotics.decays.identification.measuring.observations import Observations, Samples
 from asymptotics.decays.identification.telling import envelope as module
-from asymptotics.decays.identification.telling.envelope import Envelope, envelope
+from asymptotics.decays.identification.telling.envelope import MeasuredEnvelope, envelope
 
 N = np.arange(40)
 
@@ -168,7 +168,7 @@ def test_a_whole_decay_has_its_period_and_its_half_life():
 
 def test_numbers_are_texts_and_what_has_no_limit_is_null():
     ends_ = {"low": 1 / 3, "estimate": 1.0, "high": np.inf}
-    found = Envelope(None, ({"amplitude": 2.0, **ends_},), ends_).to_dict(True)
+    found = MeasuredEnvelope(None, ({"amplitude": 2.0, **ends_},), ends_).to_dict(True)
     assert found == {
         "period": None, "quality": [{"amplitude": "2", "low": "0.333333", "estimate": "1", "high": None}],
         "half_life": {"low": "0.333333", "estimate": "1", "high": None}, "law_known": True,
