@@ -31,6 +31,7 @@ from asymptotics.law import Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import exact_number
+from asymptotics.present.percent import percent
 from asymptotics.terms import terms_of
 
 # The exponents that have names (dry friction, viscous, air, cubic) and the sums of them that are met in practice; a law
@@ -131,7 +132,7 @@ def _corrected(
     off = beyond_first_order(columns, {s.alpha: s.estimate for s in best.strengths}, mass, stiffness)
     places, values, error, _ = as_losses({**columns, "amplitude": columns["amplitude"] - off}, spread, mass, stiffness)
     share = float(np.max(abs(off / columns["amplitude"])))
-    told = f"amplitudes less what the next harmonics of {best.name} add, {100 * share:.2g} % at most (an estimate)"
+    told = f"amplitudes less what the next harmonics of {best.name} add, {percent(share)} at most (an estimate)"
     return (places.tolist(), values.tolist(), None if error is None else error.tolist()), (told,)
 
 
