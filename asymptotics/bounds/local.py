@@ -54,6 +54,7 @@ _PIECES = 256
 # Two digits are enough for coefficients that are only bounded; the rest of the precision is for what cancels.
 _COARSE = 24  # bits beside which the rest of a precision is a guard
 _GRID = 100
+_TERMS = (2.3, 1.15)
 
 
 @dataclass(frozen=True)
@@ -177,9 +178,10 @@ def _half_swing(alphas: tuple[ExactReal, ...], order: int, last: int) -> tuple[H
         half = half_swing(quarter_swing(alphas, last))
         return half, flow_of(half)
     flow = flow_of(half_swing(quarter_swing(alphas, order)))
-    # How many terms of the orbit's series some digits need, from a fit that is not recorded; where two digits are not
-    # reached half as many more are taken, three times.
-    terms = int(last * (2.3 + 1.15 * max(float(a.ball()) for a in alphas)))
+    # How many terms of the orbit's series some digits need; where two digits are not reached half as many more are
+    # taken, twice.  Three quarters of them fail the first time, half as many more cost half as much more or twice as
+    # much, and the constants are the same (``benchmarks/constants.json``).
+    terms = int(last * (_TERMS[0] + _TERMS[1] * max(float(a.ball()) for a in alphas)))
     for factor in (2, 3, 4):
         with ctx.workprec(_COARSE):
             quarter = quarter_swing(alphas, last, terms=terms * factor // 2, guard=terms * factor // 2)

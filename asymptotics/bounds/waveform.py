@@ -45,8 +45,9 @@ from asymptotics.series import Key, Series, accumulate, monomials, unit_key
 
 # Bounds of two digits on pieces a thousandth wide: rounding is far below the widths.
 BITS = 80
-# The hulls are as wide as the pieces: half as many make the bounds of the higher degrees wider, and with each order the
-# widths add up.  Where the numbers were weighed is not recorded; no bound rests on them.
+# The hulls are as wide as the pieces, and with each order the widths add up: half as many make the bound of the highest
+# degree wider by a fourth (one law) or a tenth (two), twice as many narrower by less than a tenth at twice the cost
+# (``benchmarks/constants.json``).  No bound rests on them.
 PIECES = {1: 1024, 2: 512}
 """Pieces of the quarter by the number of laws, 128 for more than two; for one law twice as many for each order from 5
 to 7."""

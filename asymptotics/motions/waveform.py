@@ -166,8 +166,7 @@ class _Samples:
         top = max(float(m.degree.ball().mid()) / m.order for m in forces.members) * order + 2
         m = ceil(arithmetic.bits * 0.42) + 4  # ln 2/ln 5.4 = 0.41, see "Quadrature"
         # Down to psi = 2^-bits of the right end; half-widths by the singularity at psi = pi and by the largest power.
-        # Where the limit of 3 comes from is not recorded; wider panels would need more nodes.
-        edges = _edges(float(right.mid()), arithmetic.bits * log(2), min(3.0, 0.3 * m / top))
+        edges = _edges(float(right.mid()), arithmetic.bits * log(2), 0.3 * m / top)
         grid = _grid(right, edges, m, arithmetic)
         P, Q, ends = _solve(flow, forces, grid, order)
         return cls(P, Q, ends, tuple(edges), m)

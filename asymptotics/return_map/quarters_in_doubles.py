@@ -16,7 +16,8 @@ from asymptotics.errors import UndecidedError
 from asymptotics.numbers.context import lru_cache
 
 Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
-# Where 48 was fitted is not recorded; too few make a poor plan, which costs nodes or is refused.
+# Too few make a poor plan, which costs nodes or is refused: 32 to 96 plan the same, 24 too few for alpha = 1/2
+# (``benchmarks/constants.json``).
 _FIRST = 48  # nodes of the trial
 _ROUNDS, _AGREED = 40, 1e-13
 # kappa near 1 makes M large and Gronwall's factor worse; 0.7 leaves 0.3 for 1 - kappa, and pieces serve beyond.

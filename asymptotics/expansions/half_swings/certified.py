@@ -60,6 +60,7 @@ BOUND_BITS = 64
 # sigma vanishes at t = 4 itself; the suprema are those of the open disc, where every function is bounded.
 RADIUS = 4
 MAX_SECONDS = 600.0
+_GUARD = (24, 1.25)
 
 
 def quarter_swing(
@@ -151,9 +152,10 @@ def terms_needed(bounds: Sequence[Orders], radius: int, bits: int) -> int:
 def _guard_bits(size: Sequence[Orders]) -> int:
     """Bits lost to cancellation: the bounds at varrho = 1 bound the largest coefficient.  This affects the width
     only."""
-    # Where 24 and 1.25 come from is not recorded. Too few bits leave wider
+    # The factor 1 is what the bound says, 24 and a quarter are spare: from 1 on the tail alone is seen in the widths,
+    # with 0 they exceed the precision by 10 to 20 bits (``benchmarks/constants.json``).  Too few bits leave wider
     # balls, which whoever wants digits answers with a higher precision.
-    return 24 + int(1.25 * max(_log2(b) + 3 * sum(n) for part in size for n, b in part.items()))
+    return _GUARD[0] + int(_GUARD[1] * max(_log2(b) + 3 * sum(n) for part in size for n, b in part.items()))
 
 
 def _log2(x: arb) -> float:

@@ -39,8 +39,10 @@ Taylor steps."""
 _UNIT = 1 << 16  # of the integer weights: to round one down gives away 2^-16 bits for each factor of a term
 _LN2 = log(2)
 # Rows are kept (``rows``), and the next half-swings of the same law take them as they are: a share of the cost is
-# ascribed to the one that asks.  Where 1/4 comes from is not recorded; it weighs a line against a simplex.
+# ascribed to the one that asks.  Which share decides cost alone, and 0.1 to 1 cost the same within a third
+# (``benchmarks/constants.json``).
 _ALONE = 0.25  # the share of its coefficients that a half-swing pays for, where others use them too
+_STEP = (150, 0.1)  # microseconds of a Taylor step, and of each pair of its coefficients
 SMALL = 0.2  # exponents below which short plans are made: w^alpha halves only where w falls to 1/32 or less
 # How many powers of two below the edge of convergence a hand-over is tried, ever farther apart, down to 2^-32; nothing
 # rests on the list.
@@ -198,9 +200,9 @@ def sums_below(count: int, parts: tuple[int, ...]) -> list[bool]:
 
 def _microseconds(plan: KeptTerms, bits: int, alphas: tuple[float, ...], shared: bool) -> float:
     """A rough cost of a half-swing's two ends and of the Taylor steps that a small omega adds."""
-    # Rough times in microseconds, of products of balls (quadratic in the terms) and of handling each term; where they
-    # were measured is not recorded.  They choose between plans, so that a factor of two in one of them makes a
-    # half-swing a little slower and nothing wrong.
+    # Rough times in microseconds, of products of balls (quadratic in the terms) and of handling each term.  They choose
+    # between plans, and decide cost alone: half and twice ``_STEP``, against which they are weighed, made half-swings
+    # no slower than the noise of the measurement (``benchmarks/constants.json``).
     q, terms, step = plan.denominator, plan.count, _step_microseconds(bits, len(alphas))
     if q:
         parts = (2 * q, *(round(a * q) for a in alphas))
@@ -218,4 +220,4 @@ def _microseconds(plan: KeptTerms, bits: int, alphas: tuple[float, ...], shared:
 def _step_microseconds(bits: int, laws: int) -> float:
     # Of ``taylor.order_for``: quadratic in the degree, one product of series for each law beside the first.
     order = DEGREE_PER_BIT * bits + 6
-    return 150 + 0.1 * order**2 * (1 + laws) * (1 + bits / 500)
+    return _STEP[0] + _STEP[1] * order**2 * (1 + laws) * (1 + bits / 500)

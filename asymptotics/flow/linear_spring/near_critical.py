@@ -31,10 +31,11 @@ from asymptotics.running.budget import require_seconds
 
 # 2.5 times pi: shorter half-swings lose at most 12 bits.
 _LONG = 8.0  # times below it need no care
-# Rough, and for the refusal of hopeless work alone; where they were measured is not recorded.  A wrong one refuses too
-# early or too late.
+# Rough, and for the refusal of hopeless work alone: a wrong one refuses too early or too late.  Six half-swings that
+# linger took 1.4 s where these say 1.9 (``benchmarks/constants.json``).
 _SECONDS, _PER_TIME, _BITS = 0.003, 6.0, 200  # of a Taylor step at so many bits; steps per unit of time
-# Where the value comes from is not recorded; it decides whether bits are carried from the start, and claims nothing.
+# It decides whether bits are carried from the start, and claims nothing: 1e-4 costs a fifth more at 1 + 1/2000, 1e-2
+# two thirds more at 1 + 1/200 (``benchmarks/constants.json``).
 _NEAR_LINEAR = 1e-3  # alpha - 1
 _NEXT_TO_1, _TRAPPED = 1 / 64, 2.0  # |alpha - 1|, and the local strength above which a motion creeps
 _LOST = 1.45  # bits per unit of time, a little above 1/ln 2

@@ -47,8 +47,9 @@ from asymptotics.numbers.context import ctx
 # Strengths and speeds are rounded up to a quarter of a power of two, so that plans are shared; 40 bits for what is a
 # choice.
 _STEPS, _LOW = 4, 40
-# A smaller share hands over at lower speeds, a larger one runs into the majorant's edge sooner.  Where 0.6 was fitted
-# is not recorded; a plan that is too bold is shrunk below, and none is trusted.
+# A smaller share hands over at lower speeds, a larger one runs into the majorant's edge sooner.  Pendulums
+# cost the same within a quarter from 0.3 to 0.9 (``benchmarks/constants.json``); a plan that is too bold is shrunk
+# below, and none is trusted.
 _SHARE = 0.6  # of P_0 that the spring may change within the scale
 # Shares of the distance for which a plan is made, one after the other until one has a majorant; how many there are
 # decides how early an expansion is refused.

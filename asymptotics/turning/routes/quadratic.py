@@ -32,6 +32,7 @@ from asymptotics.turning.table import Kept, PointsRequest, Progress
 
 MAX_JUMP_DIGITS = 1_000  # the exact coefficients of the Abel function cost about digits^4
 MAX_SECONDS = 600
+_HEAD, _TERMS = (7, 200), (12, 2)
 _DIRECT = 20_000  # up to this index it is cheaper to iterate than to set up the Abel function
 # Beyond them the extra bits of ``_magnitude`` or the nodes of the first half-swing are too many; other routes serve.
 _SMALLEST, _LARGEST = Fraction(1, 10**12), Fraction(10**12)
@@ -82,14 +83,19 @@ def _balls(epsilon: ExactReal, start: int, times: bool) -> Iterator[tuple[int, a
         n, p = n + 1, q
 
 
+def _head(digits: int) -> int:
+    """How many turning points come before the jump."""
+    return _HEAD[0] * digits + _HEAD[1]
+
+
 def _jump(p0: arb, start: int, times: bool) -> tuple[int, arb, arb]:
     """The turning point ``start`` through the Abel function, from a certified head of the orbit."""
     digits = int(ctx.prec / BITS_PER_DIGIT)
     # Head and terms in proportion to the digits: p is about 3/(2n) = 0.2/digits at its end, and K = 2/9 digits + 12
-    # terms make the defect as small as the precision.  Where the shares were fitted is not recorded; the defect is
-    # bounded.
-    head = list(islice(amplitudes(p0), min(7 * digits + 200, start)))
-    abel = quadratic_abel(terms=12 + digits * 2 // 9)
+    # terms make the defect as small as the precision.  They decide cost alone, for the defect is bounded: half or twice
+    # the head cost the same, half the terms a fifth less, and twice the terms twice (``benchmarks/constants.json``).
+    head = list(islice(amplitudes(p0), min(_head(digits), start)))
+    abel = quadratic_abel(terms=_TERMS[0] + digits * _TERMS[1] // 9)
     p = 2 * abel.advance(head[-1] / 2, start - len(head) + 1)
     if not times:
         return start, p, arb(0)
@@ -116,7 +122,7 @@ def _require_moderate(request: PointsRequest) -> None:
 
 def estimated_seconds(epsilon: ExactReal, count: int, digits: int, start: int, times: bool) -> float:
     """The expected running time in seconds, by ``costs.map_seconds``."""
-    steps = count + (start if start <= _DIRECT else 7 * digits + 200)
+    steps = count + (start if start <= _DIRECT else _head(digits))
     with ctx.workprec(53):
         first = node_count(2 * float(epsilon.ball().mid()) + 1, bits_for(digits)) if times else 0
     return map_seconds(steps, digits, first, times=times)

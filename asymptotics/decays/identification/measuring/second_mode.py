@@ -33,10 +33,10 @@ _NEAR, _SIDE, _LOW, _HEIGHT = 3, 10, 0.3, 6.0
 _SLOW = 5
 """Coefficients of both modulations in the rough fit, which only takes the line away from the motion: few, or that of
 the motion would follow the line."""
-_SMALLEST, _DEGREES, WORTH = 2e-3, 6, 60.0
-"""A line below 2/1000 of the motion in the spectrum moves no verdict, and is not looked at; its own modulation has
-degree 6 at most, lower than that of the motion; and it must lower the criterion by 60, a likelihood e^30 times as
-large, for what is taken off in error is signal that is lost."""
+_SMALLEST, _DEGREES, WORTH = 1e-3, 6, 60.0
+"""A line below 1/1000 of the motion in the spectrum is not looked at, a free choice: WORTH decides what is taken off;
+its own modulation has degree 6 at most, lower than that of the motion; and it must lower the criterion by 60, a
+likelihood e^30 times as large, for what is taken off in error is signal that is lost."""
 _MODES = 2
 """So many lines are taken off: each further one is looked for in the rest that the ones before it left."""
 
@@ -79,8 +79,7 @@ def _peak(t: Array, x: Array) -> tuple[float, float] | None:
     # The odd overtone nearest to each bin: those of a symmetric force.
     odd = 2 * np.floor(k / main / 2) + 1
     k = k[np.abs(k - odd * main) > np.maximum(far * odd * main, _NEAR)]
-    # Why half of _SMALLEST is not recorded: it decides what is looked at, and WORTH what is taken off.
-    k = k[(power[k] >= power[k - 1]) & (power[k] >= power[k + 1]) & (power[k] > _SMALLEST * power[main] / 2)]
+    k = k[(power[k] >= power[k - 1]) & (power[k] >= power[k + 1]) & (power[k] > _SMALLEST * power[main])]
     if not len(k):
         return None
     reach = np.arange(_NEAR, _SIDE + 1)
