@@ -5,9 +5,10 @@ One law is slow for an interval of times, a sum for an interval of amplitudes (`
 
 >>> from asymptotics.envelopes.first_order import FirstOrderEnvelope
 >>> from asymptotics.law import Oscillator
->>> print(slow_part(FirstOrderEnvelope(Oscillator({2: "1/10"}, mass=2, stiffness=8, x0=3)), "1/50"))
-slow (|dA/dt| <= 1/50 omega_0 A) for t from 17.146018 to infinity; heuristic, doubles
->>> print(slow_part(FirstOrderEnvelope(Oscillator({1: "1/10"})), "1/50"))
+>>> heavy = FirstOrderEnvelope(Oscillator({2: "1/10"}, mass=2, stiffness=8, x0=3))
+>>> print(slow_part(heavy, "1/50", Frame("m", "s")))
+slow (|dA/dt| <= 1/50 omega_0 A) for t from 17.146018 s to infinity; heuristic, doubles
+>>> print(slow_part(FirstOrderEnvelope(Oscillator({1: "1/10"})), "1/50", BARE))
 slow (|dA/dt| <= 1/50 omega_0 A) never; heuristic, doubles
 """
 
@@ -75,7 +76,7 @@ class SlowPart(Shown):
         return rf"|dA/dt| \le \eta\,\omega_0 A,\quad \eta = {self.eta}"
 
 
-def slow_part(law: FirstOrderEnvelope, eta: Any, frame: Frame = BARE) -> SlowPart:
+def slow_part(law: FirstOrderEnvelope, eta: Any, frame: Frame) -> SlowPart:
     """The times in s (one law) or the amplitudes in m (a sum) that are slow; InputError for an eta out of range."""
     limit = exact_number(eta, "eta")
     number, omega_0, length = (
