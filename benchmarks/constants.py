@@ -11,7 +11,7 @@ task has one.  A machine under load makes the seconds rough: tens of per cent.
 import json
 import platform
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -55,7 +55,7 @@ class Constant:
     module: str
     attribute: str
     values: tuple[Any, ...]
-    tasks: dict[str, Task]
+    tasks: Mapping[str, Task]
     quality: str
 
     @property
