@@ -11,7 +11,7 @@ task has one.  A machine under load makes the seconds rough: tens of per cent.
 import json
 import platform
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -55,7 +55,7 @@ class Constant:
     module: str
     attribute: str
     values: tuple[Any, ...]
-    tasks: dict[str, Task]
+    tasks: Mapping[str, Task]
     quality: str
 
     @property
@@ -97,10 +97,10 @@ def table(law: dict[str, str], count: int = 2, digits: int = 20, start: int = 0,
 
 
 def lingering() -> float:
-    """The seconds that are estimated for one half-swing next to critical damping."""
+    """The seconds that are estimated for the five half-swings of ``linear`` next to critical damping."""
     law = Law({"1": "1.99", "2": "1/10"})
     linear({"1": "1.99", "2": "1/10"}, 110)
-    return longest_half_swing_seconds(law, 6, 110)
+    return longest_half_swing_seconds(law, 5, 110)
 
 
 def late(law: dict[str, str], lead: int) -> float:

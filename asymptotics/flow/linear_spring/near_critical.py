@@ -31,8 +31,8 @@ from asymptotics.running.budget import require_seconds
 
 # 2.5 times pi: shorter half-swings lose at most 12 bits.
 _LONG = 8.0  # times below it need no care
-# Rough, and for the refusal of hopeless work alone: a wrong one refuses too early or too late.  Six half-swings that
-# linger took 1.4 s where these say 1.9 (``benchmarks/constants.json``).
+# Rough, and for the refusal of hopeless work alone: a wrong one refuses too early or too late.  Five half-swings that
+# linger took 1.7 s where these say 1.5 (``benchmarks/constants.json``).
 _SECONDS, _PER_TIME, _BITS = 0.003, 6.0, 200  # of a Taylor step at so many bits; steps per unit of time
 # It decides whether bits are carried from the start, and claims nothing: 1e-4 costs a fifth more at 1 + 1/2000, 1e-2
 # two thirds more at 1 + 1/200 (``benchmarks/constants.json``).
