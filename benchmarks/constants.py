@@ -23,7 +23,7 @@ from time import process_time
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 
 from asymptotics.bounds.late import late_state
 from asymptotics.bounds.local import local_bounds
@@ -39,6 +39,7 @@ from asymptotics.flow.trajectory import CertifiedFlow
 from asymptotics.flow.turning import at_rest
 from asymptotics.flow.wells.even_well import EvenWell
 from asymptotics.law import Law
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.return_map.quarters_in_doubles import QuarterInDoubles
 from asymptotics.turning.choose import turning_points
