@@ -113,6 +113,8 @@ class Offers:
     missing                 (rows done, what is missing) of what was done when the work was cut short
     shown                   the results that stand on the page of --html, each as it shows itself; the text of others
     formula                 the formulas on that page; without it those of --latex, else the result's own
+    equation                the equation of motion on that page; without it that of the law, where there is one
+    letters                 what letters of these formulas mean, where that is not what they mean everywhere
     page                    what --html writes, in the place of the page that all have (``ask.page``)
     reads                   the parameter whose words are files that are read: no file is written over one of them
     again                   how a table is held against its own request; None: its header does not name the request
@@ -148,6 +150,8 @@ class Offers:
     certificate: Part | None = None
     shown: Part = lambda found, _: [found]
     formula: Part | None = None
+    equation: Part | None = None
+    letters: Part = lambda found, _: found._letters() if isinstance(found, Shown) else {}
     page: Part | None = None
     reads: str = ""
     again: Again | None = Again()

@@ -11,9 +11,9 @@ from asymptotics.errors import InputError
 from asymptotics.law_given import Given
 from asymptotics.made_by import line as made_by_line
 from asymptotics.present.drawn import Drawn, pictured
-from asymptotics.present.html import block
+from asymptotics.present.html import block, mathml
 from asymptotics.present.letters import defined
-from asymptotics.present.page import figure, mathml, page, table, text, told
+from asymptotics.present.page import displayed, figure, page, table, text, told
 from asymptotics.present.shown import Shown
 from asymptotics.present.signs import signs
 
@@ -21,13 +21,13 @@ from asymptotics.present.signs import signs
 def page_of(question: Question, request: Request, found: Any, words: Sequence[str]) -> str:
     """The page; ``words``: the command as it was typed.  InputError where latex2mathml is not installed."""
     offers = question.offers
-    equation, formula = _equation(request), offers.formula_of(found, request)
-    letters = found._letters() if hasattr(found, "_letters") else {}
-    where = defined(f"{equation} {formula}", letters)
+    equation = _equation(request) if offers.equation is None else str(offers.equation(found, request))
+    formula = offers.formula_of(found, request)
+    where = defined(f"{equation} {formula}", offers.letters(found, request))
     parts = [
         f"<h1>{_told(question.page.partition(chr(10))[0].rstrip(':.'))}</h1>",
-        mathml(equation) if equation else "",
-        mathml(formula) if formula else "",
+        displayed(equation) if equation else "",
+        displayed(formula) if formula else "",
         _where(where),
         "<h2>Answer</h2>",
         _answer(question, request, found),
@@ -54,7 +54,7 @@ def _where(defined_letters: str) -> str:
     if not defined_letters:
         return ""
     parts = defined_letters.split("$")  # words and letters in turn
-    shown = [mathml(part, "inline") if i % 2 else _told(part) for i, part in enumerate(parts)]
+    shown = [mathml(part) if i % 2 else _told(part) for i, part in enumerate(parts)]
     return f'<p class="small">where {"".join(shown)}</p>'
 
 
@@ -84,6 +84,6 @@ def _provenance(words: Sequence[str]) -> list[tuple[str, str]]:
     return [
         ("command", " ".join(words)),
         ("program", f"power-law-oscillator {__version__}"),
-        ("arithmetic", f"Python {platform.python_version()}"),
+        ("run by", f"Python {platform.python_version()}"),
         ("made by", made_by_line()),
     ]

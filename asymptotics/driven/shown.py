@@ -12,6 +12,7 @@ from asymptotics.expansions.moments.certified import moment
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.latex import latex
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.inputs import csv_text
 from asymptotics.present.shown import Page
@@ -83,8 +84,13 @@ class ResponsePage(Drawn):
     def _formula(self) -> str:
         return self.latex()
 
+    def _equation(self) -> str:
+        """The equation of motion, as LaTeX."""
+        free = self.oscillator._formula().removesuffix(" = 0")
+        return rf"{free} = {latex(self.force)} \cos(\Omega t),\quad \Omega = {latex(self.omega)}"
+
     def _letters(self) -> dict[str, str]:
-        return {r"\Omega": "frequency of the force"}
+        return {r"\Omega": "frequency of the force", "t": "time"}
 
     def _curve(self, axes: Any, **style: Any) -> None:
         """Amplitude and phase of first order against Omega, the backbone, and the response where it was asked."""

@@ -187,7 +187,8 @@ class EquivalentDamping(Rows, Drawn):
         return {
             "A": "turning amplitude", "a": "the amplitude integrated over", "E": "energy V(A)", "k": "stiffness",
             "c": "c_eq, the viscous coefficient that takes as much; c alone: strength of the spring", "t": "half-life",
-            "x": "the place integrated over", r"\zeta": "equivalent damping ratio Delta E/(4 pi E)",
+            "x": "displacement; under an integral, the place integrated over",
+            r"\zeta": "equivalent damping ratio Delta E/(4 pi E)",
             r"\Lambda": "decrement of a swing", r"\Delta": "what a cycle takes", "F": "hypergeometric function",
         }  # fmt: skip
 

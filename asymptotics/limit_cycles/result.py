@@ -106,6 +106,13 @@ class LimitCycle(Rows, Drawn):
         a, w = (_latex(row) for row in (self.amplitude, self.frequency))
         return rf"A = {a},\quad \omega = {w}"
 
+    def _letters(self) -> dict[str, str]:
+        return {
+            "A": "turning amplitude of the cycle", "T": "its period, in units of 1/omega_0",
+            r"\rho": "its multiplier: what a small departure is multiplied by in a period",
+            r"\omega": "its frequency, in units of omega_0",
+        }  # fmt: skip
+
 
 def limit_cycle(
     law: Law, order: int, digits: int, mu: ExactReal | None = None, near: float | None = None

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from importlib import import_module
 
+from asymptotics.errors import InputError
 from asymptotics.present.signs import signs
 
 
@@ -39,15 +40,22 @@ def block(
 
 
 def _set(cell: object) -> str:
-    return _mathml(cell) if isinstance(cell, Tex) else signs(escape(str(cell)))
-
-
-def _mathml(latex: Tex) -> str:
-    """By latex2mathml, of the extra report; where that is not installed, for the MathJax of a notebook."""
+    if not isinstance(cell, Tex):
+        return signs(escape(str(cell)))
     try:
-        return str(import_module("latex2mathml.converter").convert(str(latex)))
-    except ModuleNotFoundError:
-        return f"${escape(latex)}$"
+        return mathml(cell)
+    except InputError:  # without the extra it is left to the MathJax of a notebook
+        return f"${escape(cell)}$"
+
+
+def mathml(latex: str, display: str = "inline") -> str:
+    """One formula by latex2mathml; InputError where that, of the extra report, is not installed."""
+    try:
+        convert = import_module("latex2mathml.converter").convert  # an extra, which pages alone need
+    except ModuleNotFoundError as error:
+        accepted = "an installation with the extra report: pip install '.[report]' in a clone"
+        raise InputError("html", "formulas are set by latex2mathml, which is not installed", accepted) from error
+    return str(convert(str(latex), display=display))
 
 
 def image(svg: bytes, title: str) -> str:

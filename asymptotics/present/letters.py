@@ -48,7 +48,7 @@ MEANINGS = {
     "x": "displacement",
     "y": "argument",
     "z": "argument",
-    r"\Gamma": "the gamma function",
+    r"\Gamma": "Euler's Gamma function",
     r"\Omega": "frequency series, in units of omega_0",
     r"\Phi": "Abel function of the amplitude",
     r"\alpha": "exponent of the damping",

@@ -12,12 +12,12 @@ aligned in columns becomes a table.
 import re
 from collections.abc import Iterable, Sequence
 from html import escape
-from importlib import import_module
 from itertools import groupby
 from pathlib import Path
 from string import Template
 
-from asymptotics.errors import InputError, printable
+from asymptotics.errors import printable
+from asymptotics.present.html import mathml
 from asymptotics.present.signs import signs
 
 _SHELL = Path(__file__).with_name("page.html")
@@ -79,14 +79,9 @@ def _unnested(latex: str) -> str:
     return re.sub(r"\\text\{\$(.*?)\$([^{}]*)\}", r"\1\\text{\2}", latex)
 
 
-def mathml(latex: str, display: str = "block") -> str:
+def displayed(latex: str) -> str:
     """Formulas as MathML, one a line; InputError where latex2mathml, of the extra report, is not installed."""
-    try:
-        convert = import_module("latex2mathml.converter").convert  # an extra, which pages alone need
-    except ModuleNotFoundError as error:
-        accepted = "an installation with the extra report: pip install '.[report]' in a clone"
-        raise InputError("html", "formulas are set by latex2mathml, which is not installed", accepted) from error
-    return "".join(str(convert(each, display=display)) for each in formulas(latex))
+    return "".join(mathml(each, "block") for each in formulas(latex))
 
 
 def figure(svg: str, label: str) -> str:

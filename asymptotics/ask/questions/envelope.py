@@ -157,6 +157,7 @@ def _again(
         text=_text,
         as_latex=lambda found, _: str(found.formulas["latex"]),
         formula=lambda found, _: found.formulas["latex"] or "",
+        letters=lambda found, _: found.curve._letters(),
         as_csv=_csv,
         drawn=_drawn,
         style=_style,

@@ -140,6 +140,7 @@ _FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to 
         data=_data,
         text=_text,
         as_latex=lambda found, _: found.latex(),
+        letters=lambda found, _: found.scales._letters(),
         failed=lambda found, _: bool(found.differences),
         typed=_typed,
         lacks=dict.fromkeys(("csv", "plot", "points"), _FORMULAS),

@@ -27,6 +27,7 @@ def _data(found: Response, request: Request) -> dict[str, Any]:
         picture="amplitude and phase of first order against Omega, the backbone of the free decay, and the response",
         table="the numbers",
         data=_data,
+        equation=lambda found, _: found._equation(),
         lacks={"gauge": "what is observed is the same in every gauge", "points": "the answer is no curve"},
     ),
     swept=True,

@@ -116,6 +116,7 @@ def _typed(request: Request) -> None:
         text=_text,
         as_latex=_latex,
         formula=lambda found, _: found.solution.latex(standalone=False),
+        letters=lambda found, _: found.solution._letters(),
         as_csv=_csv,
         drawn=_drawn,
         style=lambda found, _: {"until": found.time},

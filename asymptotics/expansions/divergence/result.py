@@ -112,7 +112,7 @@ class StokesConstants(Rows, Drawn):
 
     def _letters(self) -> dict[str, str]:
         return {"c": "Stokes constant of the amplitude", "d": "Stokes constant of the time", "w": "Abel coordinate",
-                r"\theta": "Abel function of the time"}  # fmt: skip
+                r"\theta": "Abel function of the time", "i": "the imaginary unit"}  # fmt: skip
 
     def _formula(self) -> str:
         return rf"\displaystyle\begin{{gathered}}{self.latex()}\end{{gathered}}"
