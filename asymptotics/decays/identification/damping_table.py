@@ -30,7 +30,7 @@ from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.law import Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.policy import double_of, exact_number
 from asymptotics.present.percent import percent
 from asymptotics.terms import terms_of
 
@@ -44,7 +44,7 @@ NAMES = {
     "amplitude": ("a", "amplitude"),
     "zeta": ("zeta", "damping ratio", "damping_ratio"),
     "Q": ("q", "quality factor", "quality_factor"),
-    "decrement": ("decrement", "lambda", "log decrement", "log_decrement"),
+    "decrement": ("decrement", "lambda", "log decrement", "log_decrement", "logarithmic decrement", "log dec"),
     "resolution": ("resolution", "sigma", "s", "uncertainty", "error"),
     "force": ("f", "force"),
     "omega": ("omega", "w"),
@@ -76,7 +76,7 @@ def law_of_table(
     if resolution is not None:
         if known is not None:
             raise InputError("resolution", "the table has a column of that name", "one of the two")
-        known = np.full(len(columns["amplitude"]), float(resolution.ball().mid()))
+        known = np.full(len(columns["amplitude"]), double_of(resolution))
     spread = None if known is None else _positive(known, "resolution")
     given = _positive(columns["amplitude"], "A")
     ends, between = (float(given.min()), float(given.max())), quantity in CLOCKS
@@ -141,7 +141,7 @@ def _losses(
 ) -> tuple[Any, Any, Any, tuple[str, ...]]:
     """Pairs of neighbouring amplitudes with the decrement of a cycle between them, its error, and what is told."""
     size, count = columns["amplitude"], columns[clock]
-    omega = 1.0 if mass is None or stiffness is None else float((stiffness / mass).ball().mid()) ** 0.5
+    omega = 1.0 if mass is None or stiffness is None else double_of(stiffness / mass) ** 0.5
     of_one = {"n": 0.5, "cycles": 1.0, "t": omega / (2 * np.pi)}[clock]
     both, values = pairs(size, of_one * count)
     named = {"n": "n counts half-swings", "cycles": "periods are counted", "t": "t in s"}[clock]
@@ -152,6 +152,21 @@ def _losses(
     # The errors of both amplitudes; that neighbours share one is neglected.
     error = np.hypot(spread[:-1] / size[:-1], spread[1:] / size[1:]) / (of_one * np.diff(count))
     return both, values, error, (named,)
+
+
+def is_of_damping(names: Sequence[str]) -> bool:
+    """Whether columns of these names are a table of damping or of a resonance, and nothing else.
+
+    A decrement of which no more is said is that of ``identify``, A_n - A_(n+1), and none of ln(A_n/A_(n+2)).
+
+    >>> is_of_damping(["A [deg]", "zeta [%]"]), is_of_damping(["amplitude", "decrement"]), is_of_damping(["t", "A"])
+    (True, False, False)
+    >>> is_of_damping(["A", "log decrement"])
+    True
+    """
+    found = {name: _what(name) for name in names}
+    logarithmic = any(what == "decrement" and name.strip().lower()[:3] != "dec" for name, what in found.items())
+    return "amplitude" in found.values() and (logarithmic or not {"zeta", "Q", "force"}.isdisjoint(found.values()))
 
 
 def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
