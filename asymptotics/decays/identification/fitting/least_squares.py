@@ -133,8 +133,10 @@ class Model:
             slopes[0][:, after] = 1.0
         if seen.has_times:
             rate = np.exp(-theta[-2])
-            values.append(theta[-1] + rate * run.tau[seen.n])
-            slopes.append(self._time_slopes(rate, run.tau[seen.n], run.d_tau[:, seen.n]))
+            late, by = self._lateness(run, theta)
+            tau, by = run.tau[seen.n] + late, run.d_tau[:, seen.n] + by
+            values.append(theta[-1] + rate * tau)
+            slopes.append(self._time_slopes(rate, tau, by))
         if len(seen.passage_t):
             tau, by = run.passage[seen.passage_n], run.d_passage[:, seen.passage_n]
             values.append(theta[-1] + rate * tau)
@@ -150,6 +152,27 @@ class Model:
                 slopes[-1][:, after] += ease
                 slopes[-1][:, -2] -= late
         return np.concatenate(values), np.concatenate(slopes)
+
+    def _lateness(self, run: TurningSequence, theta: Array) -> tuple[Array, Array]:
+        """By what angle the local fits find each turning point too late (``late_extremes``), and its derivatives."""
+        window, n = self.seen.window, self.seen.n
+        late, by = np.zeros(len(n)), np.zeros((self.after, len(n)))
+        if window is None:
+            return late, by
+        a, free = run.a[n], self.swing.free
+        for i, element in enumerate(self.swing.elements):
+            if element.kind != "loss":
+                continue
+            exponent = float(theta[self.after - 1]) if free and i == 0 else element.velocity
+            weight = exponent + element.position - 1
+            size = np.exp(weight * a)
+            share = theta[1 + i] * window.lateness(exponent, element.position) * size
+            late += share
+            by += weight * share * run.d_a[:, n]
+            by[1 + i] += window.lateness(exponent, element.position) * size
+            if free and i == 0:
+                by[-1] += a * share + theta[1] * window.by_exponent(exponent, element.position) * size
+        return late, by
 
     def neglected(self, theta: Array) -> float:
         """What the series lacks in ln(amplitude), all swings together, as they were at the last prediction."""
