@@ -188,12 +188,12 @@ def test_columns_are_known_by_their_names_without_units(name, what):
 
 
 def test_a_mapping_is_read_with_its_unit_and_what_is_not_used_is_told():
-    table, quantity, notes = _read({"A (deg)": [10, 20], "Q": [50, 40], "time": [0, 1], "room": [1, 2]})
+    table, quantity, notes, unit = _read({"A (deg)": [10, 20], "Q": [50, 40], "time": [0, 1], "room": [1, 2]})
     assert table["amplitude"] == pytest.approx(np.radians([10, 20])) and table["Q"].tolist() == [50, 40]
-    assert quantity == "Q" and notes == ("not used: room, time", "amplitudes in deg taken as rad")
-    table, quantity, notes = _read({"A [mm]": [10, 20], "zeta": [0.01, 0.02], "sigma": [1e-3, 1e-3]})
+    assert (quantity, unit) == ("Q", "deg") and notes == ("not used: room, time", "amplitudes in deg taken as rad")
+    table, quantity, notes, unit = _read({"A [mm]": [10, 20], "zeta": [0.01, 0.02], "sigma": [1e-3, 1e-3]})
     assert table["amplitude"] == pytest.approx([0.01, 0.02]) and notes == ("amplitudes in mm taken as m",)
-    assert table["resolution"].tolist() == [1e-3, 1e-3] and quantity == "zeta"
+    assert table["resolution"].tolist() == [1e-3, 1e-3] and (quantity, unit) == ("zeta", "mm")
     assert _read({"A [m]": [1], "decrement": [2]})[2] == () == _read({"A": [1], "decrement": [2]})[2]
 
 
@@ -264,7 +264,7 @@ def test_what_the_first_order_lacks_is_the_larger_at_both_ends(monkeypatch):
 def test_a_table_becomes_a_law_with_its_notes():
     zeta = [0.012, 0.0141, 0.0178, 0.0261]
     found = law_of_table({"A": A[:4], "zeta": zeta}, resolution=exact_number("0.0002", "resolution"), laws=["1", "1+2"])
-    assert found.points == 4 and found.amplitudes == (0.1, 0.8) and not found.si and found.notes == ()
+    assert found.points == 4 and found.amplitudes == (0.1, 0.8) and not found.frame and found.notes == ()
     assert found.resolution == pytest.approx(np.median(2e-4 / np.array(zeta))) and found.best.name == "1+2"
     used = dict(found.table)
     assert used.pop("resolution") == pytest.approx([2e-4] * 4) and used == {"A": A[:4].tolist(), "zeta": zeta}
@@ -274,7 +274,7 @@ def test_a_table_becomes_a_law_with_its_notes():
     heavy = law_of_table(
         {"A": A[:4], "zeta": zeta}, laws="1", mass=exact_number(2, "m"), stiffness=exact_number(8, "k")
     )
-    assert heavy.si and heavy.best.strengths[0].estimate == pytest.approx(
+    assert heavy.frame and heavy.best.strengths[0].estimate == pytest.approx(
         8 * law_of_table({"A": A[:4], "zeta": zeta}, laws="1").best.strengths[0].estimate / 2
     )
 
