@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from asymptotics.decays.identification.fitting.directions import Directions
+from asymptotics.decays.identification.fitting.late_times import lateness
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.forward.pendulum import PendulumHalfSwing, angle, well
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
@@ -133,7 +134,7 @@ class Model:
             slopes[0][:, after] = 1.0
         if seen.has_times:
             rate = np.exp(-theta[-2])
-            late, by = self._lateness(run, theta)
+            late, by = lateness(self.swing, seen.window, run.a[seen.n], run.d_a[:, seen.n], theta[self.law])
             tau, by = run.tau[seen.n] + late, run.d_tau[:, seen.n] + by
             values.append(theta[-1] + rate * tau)
             slopes.append(self._time_slopes(rate, tau, by))
@@ -152,27 +153,6 @@ class Model:
                 slopes[-1][:, after] += ease
                 slopes[-1][:, -2] -= late
         return np.concatenate(values), np.concatenate(slopes)
-
-    def _lateness(self, run: TurningSequence, theta: Array) -> tuple[Array, Array]:
-        """By what angle the local fits find each turning point too late (``late_extremes``), and its derivatives."""
-        window, n = self.seen.window, self.seen.n
-        late, by = np.zeros(len(n)), np.zeros((self.after, len(n)))
-        if window is None:
-            return late, by
-        a, free = run.a[n], self.swing.free
-        for i, element in enumerate(self.swing.elements):
-            if element.kind != "loss":
-                continue
-            exponent = float(theta[self.after - 1]) if free and i == 0 else element.velocity
-            weight = exponent + element.position - 1
-            size = np.exp(weight * a)
-            share = theta[1 + i] * window.lateness(exponent, element.position) * size
-            late += share
-            by += weight * share * run.d_a[:, n]
-            by[1 + i] += window.lateness(exponent, element.position) * size
-            if free and i == 0:
-                by[-1] += a * share + theta[1] * window.by_exponent(exponent, element.position) * size
-        return late, by
 
     def neglected(self, theta: Array) -> float:
         """What the series lacks in ln(amplitude), all swings together, as they were at the last prediction."""
