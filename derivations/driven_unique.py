@@ -14,6 +14,7 @@ mu, k, w, a, e, q, lam, s, D, n, T = sympy.symbols("mu k w a e q lambda s D n T"
 c, P, Q, S, tau, d = sympy.symbols("c P Q S tau d", positive=True)
 alpha = sympy.Symbol("alpha", positive=True)
 t, theta, phi = sympy.symbols("t theta phi", real=True)
+j, N = sympy.symbols("j N", integer=True, positive=True)
 place, speed = sympy.Function("X")(t), sympy.Function("V")(t)
 
 derivation = Derivation(
@@ -160,17 +161,25 @@ asserts(
     " w^alpha is concave,",
     sympy.Le(At(sympy.Derivative(w**alpha, (w, 2)), {alpha: sympy.Rational(1, 2)}), 0, evaluate=False),
 )
+turns = sympy.sin(phi) ** 2 + sympy.sin(phi + w) ** 2
 step(
-    "Two turns nu pi apart in phase have sin^2 + sin^2 >= 1 - |cos(nu pi)|, what friction alone takes of a period;"
-    " it is 0 where omega_0/Omega is a whole number alone,",
-    sympy.sin(phi) ** 2 + sympy.sin(phi + w) ** 2,
-    1 - sympy.cos(w) * sympy.cos(2 * phi + w),
+    "Of two turns w = nu pi apart in phase, what friction alone takes in a period is least or largest where 2 phi + w"
+    " is a multiple of pi, or everywhere the same:",
+    sympy.Derivative(turns, phi),
+    2 * sympy.cos(w) * sympy.sin(2 * phi + w),
+)
+step("there it is 1 - cos(w)", At(turns, {phi: -w / 2}), 1 - sympy.cos(w))
+step(
+    "or 1 + cos(w), so 1 - |cos(nu pi)| at least: it is 0 where omega_0/Omega is a whole number alone,",
+    At(turns, {phi: (sympy.pi - w) / 2}),
+    1 + sympy.cos(w),
 )
 step(
     "Far motions: the period T(z) never lengthens a distance.  With T(p) = p, a factor q within d of p, and z beyond, w"
-    " the point of the segment d from p: |T z - p| <= |T z - T w| + |T w - p|, which is at most",
-    (D - d) + q * d,
-    D - (1 - q) * d,
+    " the point of the segment d from p: |T z - p| <= |T z - T w| + |T w - p| <= (D - d) + q d.  After N periods it is"
+    " at most",
+    D - sympy.Sum((1 - q) * d, (j, 1, N)),
+    D - N * (1 - q) * d,
 )
 asserts(
     "so every motion comes within d, and from there on the distance falls by q: the response attracts them all, and is"

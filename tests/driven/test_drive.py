@@ -70,7 +70,8 @@ def test_a_force_below_the_dry_friction_moves_nothing(share):
     ("law", "force", "omega", "named"),
     [
         ({2: 1}, 0, 1, "force"), ({2: 1}, -1, 1, "force"), ({2: 1}, 1, 0, "omega"), ({2: 0}, 1, 1, "law"),
-        ({0: 1, 2: 1}, 1, 1, "force"), ({(3, 0): 1, (0, 1): "1/10"}, 1, 1, "law"), ({1: "-1/10", 3: 1}, 1, 1, "strength"),
+        ({0: 1, 2: 1}, 1, 1, "force"), ({(3, 0): 1, (0, 1): "1/10"}, 1, 1, "law"),
+        ({1: "-1/10", 3: 1}, 1, 1, "strength"),
     ],
 )  # fmt: skip
 def test_what_is_no_drive_is_refused_by_name(law, force, omega, named):

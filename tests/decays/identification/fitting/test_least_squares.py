@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from asymptotics.decays.identification.fitting.least_squares import Model
+from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.forward.candidates import read_candidate
 from asymptotics.decays.identification.forward.swing import HalfSwingModel
 from asymptotics.decays.identification.measuring.observations import Observations
