@@ -4,6 +4,7 @@ import argparse
 import ast
 import doctest
 import inspect
+import shlex
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
@@ -12,6 +13,7 @@ from typing import Any
 import asymptotics as asy
 from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.shell.asked import command_of
+from tests.worlds import WORLDS
 
 ROWS = "n,x\n" + "".join(f"{n},{(-0.9) ** n}\n" for n in range(8))
 """What stands in the file of an example: turning points of a linear loss."""
@@ -23,6 +25,20 @@ def example(name: str, folder: Path, data: str | None = None) -> list[str]:
     if data is None and "{data}" in text:
         (folder / "data.csv").write_text(ROWS)
     return [name, *(w.format(data=data or folder / "data.csv", folder=folder / "store") for w in text.split())]
+
+
+def in_world(name: str, folder: Path, world: str) -> list[str]:
+    """The example of a command, its law and start those of a world."""
+    words, law = example(name, folder), ("--law", "--alpha", "--epsilon")
+    kept = [w for w, before in zip(words, ["", *words]) if w not in law and before not in law]
+    return [*kept, *shlex.split(WORLDS[world].words)]
+
+
+def worlds_of(name: str) -> Iterator[str]:
+    """The worlds that the options of a command can say."""
+    for world, made in WORLDS.items() if {"--law", "--epsilon"} <= options_of(name).keys() else ():
+        if {word for word in shlex.split(made.words) if word.startswith("--")} <= options_of(name).keys():
+            yield world
 
 
 @cache

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import sys
 import time
-from importlib import import_module
+from pkgutil import resolve_name
 
 import pytest
 
@@ -35,8 +35,7 @@ SEQUENCES = {  # a line for each route, and where its points are made
 
 def stop_at(monkeypatch, place, count, error):
     """From the call number ``count`` on what makes a row raises ``error``: a time that is over stays over."""
-    module, _, name = place.rpartition(".")
-    whole, calls = getattr(import_module(module), name), []
+    whole, calls = resolve_name(place), []
 
     def cut(*args, **kwargs):
         calls.append(args)

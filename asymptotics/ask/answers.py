@@ -115,7 +115,7 @@ class Offers:
     formula                 the formulas on that page; without it those of --latex, else the result's own
     equation                the equation of motion on that page; without it that of the law, where there is one
     letters                 what letters of these formulas mean, where that is not what they mean everywhere
-    page                    what --html writes, in the place of the page that all have (``ask.page``)
+    page                    what --html writes, in the place of the page that all have (``ask.page``); None: that page
     reads                   the parameter whose words are files that are read: no file is written over one of them
     again                   how a table is held against its own request; None: its header does not name the request
     rows_done               (text, rows, what is missing) of the table, of the rows that were done when making it was

@@ -169,6 +169,11 @@ class Question:
         Nothing where the oscillator says it all, which the header has then (``present.inputs``).
         """
         special = any(getattr(options, name, None) for name in ("spring", "v0", "delta"))
+        # A loss that depends on the place, or a gain: ``compare`` of an oscillator alone reads losses of the velocity.
+        strengths = [getattr(options, name, None) or "" for name in ("epsilon", "damping")]
+        strengths += [text.partition(":")[2] for text in getattr(options, "law", None) or ()]
+        special |= any(text.strip().startswith("-") for text in strengths)
+        special |= any("," in text.partition(":")[0] for text in getattr(options, "law", None) or ())
         if self.offers.oscillator_alone or (self.offers.from_rest and not special):
             return []
         return self.told(options)

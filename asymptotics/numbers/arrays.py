@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from asymptotics.errors import InputError, LimitError, shown
-from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.policy import double_of, exact_number
 
 _ACCEPTED = "a number, or an array of numbers"
 # What is made of an array has several of its size: beyond, the memory of a usual machine ends without a word.
@@ -62,6 +62,6 @@ def _double(cell: Any, argument: str) -> float:
     if isinstance(cell, float | np.floating):
         return float(cell)
     try:
-        return float(exact_number(cell, argument).ball().mid())
+        return double_of(exact_number(cell, argument))
     except OverflowError:
         raise InputError(argument, "it is too large for a double", _ACCEPTED) from None

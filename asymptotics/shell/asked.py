@@ -131,9 +131,10 @@ class Command:
         return replace(answer, data=answer.data | proof.data, text="\n".join([answer.text, *proof.told]))
 
     def _page(self, request: Request, found: Any) -> str:
-        if self.question.offers.page is not None:
-            return str(self.question.offers.page(found, request))
-        return page_of(self.question, request, found, self.question.told(request.options))
+        own = None if self.question.offers.page is None else self.question.offers.page(found, request)
+        return (
+            str(own) if own is not None else page_of(self.question, request, found, self.question.told(request.options))
+        )
 
     def _with_rows(self, request: Request, files: dict[str, Path], found: Any, rows: Any) -> Answer | None:
         """The answer with the rows of its table that were done when the time was over; half a picture is none."""

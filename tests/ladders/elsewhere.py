@@ -25,6 +25,9 @@ ELSEWHERE: Names = {
     ),
     **each("driven.trial", "march trial", "tests/driven/test_response.py::test_the_defect_of_every_piece_is_bounded"),
     **each(
+        "driven.turn", "turn", "tests/driven/test_turn.py::test_the_factor_of_a_period_is_no_less_than_that_of_its_map"
+    ),
+    **each(
         "driven.contraction",
         "factor",
         "tests/driven/test_response.py::test_the_contraction_is_no_less_than_the_true_one",

@@ -44,6 +44,7 @@ OWN = {
     "::test_the_error_moves_x_and_the_speed_by_as_much_as_the_norm_lets_it",
     "driven.orbit.Orbit._of_x": "tests/driven/test_bounds.py"
     "::test_the_error_moves_x_and_the_speed_by_as_much_as_the_norm_lets_it",
+    "driven.turn.turn": "tests/driven/test_turn.py::test_the_pull_is_that_at_every_place_and_angle_of_the_room",
     "driven.trial.march": "tests/driven/test_bounds.py::test_the_march_counts_every_defect_and_has_a_limit",
     "envelopes.certified.amplitude": "tests/envelopes/test_certified.py::test_too_little_precision_is_an_enclosure",
     "envelopes.certified.extinction_time": "tests/ladders/test_ladders.py::test_every_rung_holds_what_is_above_it",

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from asymptotics.errors import InputError
+from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import exact_integer, exact_number, float_notes
 from asymptotics.numbers.powers import exact_power
@@ -102,3 +103,10 @@ def test_a_sympy_float_is_refused_as_binary():
     for endless in (sympy.oo, sympy.nan, sympy.zoo):
         with pytest.raises(InputError, match="argument x"):
             exact_number(endless, "x")
+
+
+def test_a_text_becomes_the_double_next_to_it():
+    """Failed before: FLINT cuts off where it makes a double, and 0.1 was 0.09999999999999999."""
+    texts = [f"{n / 1000}" for n in range(1, 300)]
+    assert real_array(texts, "x").tolist() == [float(text) for text in texts]
+    assert float(exact_number("0.1", "x").ball().mid()) != 0.1  # near miss: what was done before

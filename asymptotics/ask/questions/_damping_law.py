@@ -45,10 +45,10 @@ def _springs_of_options(options: argparse.Namespace) -> Any:
 SPRINGS = Kind("SPRING", lambda spring, _: spring, options=(_SPRING,), assemble=_springs_of_options, group="the law")
 
 
-_HEAD = ("law", "grade", "alpha", "low", "strength", "high")
+STRENGTHS = ("law", "grade", "alpha", "low", "strength", "high")
 
 
-def _rows(found: DampingLaw) -> list[tuple[Any, ...]]:
+def rows_of_strengths(found: DampingLaw) -> list[tuple[Any, ...]]:
     """A row for each strength of each law."""
     rows = [(c.name, c.told(), s.alpha, s.low, s.estimate, s.high) for c in found.laws for s in c.strengths]
     # No interval is an empty cell.
@@ -61,7 +61,7 @@ def _csv(found: DampingLaw, request: Request) -> str:
     table = {name: ",".join(map(repr, column)) for name, column in found.table.items()}
     given = {name: request.typed(name) for name in ("spring", "mass", "stiffness")}
     words = ["damping-law", *option_words({**table, "laws": laws, **given})]
-    return with_words(csv_text(_HEAD, _rows(found)), words)
+    return with_words(csv_text(STRENGTHS, rows_of_strengths(found)), words)
 
 
 # What tells every double apart: the fit is one in doubles.
@@ -79,9 +79,9 @@ def _again(request: dict[str, str], header: list[str], rows: list[tuple[int, lis
     laws = request["laws"].split(",") if "laws" in request else None
     springs = _springs_of_options(options)
     found = damping_law(table, laws=laws, spring=springs, mass=options.mass, stiffness=options.stiffness)
-    right = tuple((*map(str, row), "") for row in _rows(found))
+    right = tuple((*map(str, row), "") for row in rows_of_strengths(found))
     method = "the table in the header fitted again, in doubles"
-    cells = Cells((*_HEAD, "code"), right, ("law", "alpha"), frozenset({"code"}), method=method)
+    cells = Cells((*STRENGTHS, "code"), right, ("law", "alpha"), frozenset({"code"}), method=method)
     return compared_cells(rows, header, cells, _DIGITS, certified=False)
 
 
@@ -115,6 +115,7 @@ def _require_a_table_alone(request: Request) -> None:
 @question(
     Offers(
         as_csv=_csv,
+        formula=lambda _, __: "",
         typed=_require_a_table_alone,
         again=Again(words=(*_COLUMNS, "laws", "spring", "mass", "stiffness"), compared=_again),
     )

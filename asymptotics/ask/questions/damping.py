@@ -1,7 +1,7 @@
 """zeta, Q, decrement, energy loss, c_eq and half-life of a law at amplitudes."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence, Set
 from itertools import islice
 from typing import Annotated, Any, cast
 
@@ -58,7 +58,8 @@ def _amplitudes(value: Any, name: str) -> tuple[ExactReal, ...]:
     try:
         # An exact number is one amplitude, though it may have a length; an array without dimensions has the method and
         # refuses it, hence the TypeError below.
-        one = isinstance(given, ExactReal) or not hasattr(given, "__len__")
+        # Bytes, sets and mappings have a length too, and are no list of numbers: b"1" would be the amplitude 49.
+        one = isinstance(given, ExactReal | bytes | bytearray | Set | Mapping) or not hasattr(given, "__len__")
         values = [given] if one else [*islice(given, MAX_AMPLITUDES + 1)]
     except TypeError:
         values = [given]

@@ -10,8 +10,11 @@ from typing import Annotated, Any
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, POSITIVE, SECONDS, TEXT, Kind, Option, whole
 from asymptotics.ask.question import question
+from asymptotics.ask.questions._damping_law import STRENGTHS, rows_of_strengths
+from asymptotics.decays.identification.damping_kind import DAMPING, is_damping, law_of_damping, opened_once
 from asymptotics.decays.identification.examples import EXAMPLES, example
 from asymptotics.decays.identification.forward.work import PATIENCE
+from asymptotics.decays.identification.found_law import DampingLaw
 from asymptotics.decays.identification.identify import identified
 from asymptotics.decays.identification.telling.html_report import html_report
 from asymptotics.decays.identification.telling.in_text import told
@@ -80,7 +83,9 @@ RUNS = Kind(
     ),
 )  # fmt: skip
 BESIDE = Kind("", lambda value, _: value, words=True, in_shell=False)
-KIND = TEXT.called(letter="KIND", group=_DATA, told=f": {', '.join(KINDS)}; default: found from the columns")
+KIND = TEXT.called(
+    letter="KIND", group=_DATA, told=f": {', '.join((*KINDS, DAMPING))}; default: found from the columns"
+)
 UNIT = TEXT.called(letter="U", group=_DATA, told=f": {', '.join(UNITS)}; with milliseconds: mm,ms")
 WORDS = Kind("LAW", lambda words, _: words, words=True, several=True)
 BOOTSTRAP = Kind(
@@ -89,14 +94,27 @@ BOOTSTRAP = Kind(
 )  # fmt: skip
 
 
-def _csv(found: Identification, _: Request) -> str:
+def _csv(found: Identification | DampingLaw, _: Request) -> str:
     """All candidate laws, best first: a row for each strength, both ends of its interval as columns."""
+    if isinstance(found, DampingLaw):
+        return csv_text(STRENGTHS, rows_of_strengths(found))
     columns = found._table()
     return csv_text(list(columns), zip(*columns.values()))
 
 
-def _page(found: Identification, request: Request) -> str:
+def _drawn(found: Identification | DampingLaw, request: Request) -> list[Any]:
+    """The answer on its axes; nothing of a table, in which no decay stands."""
+    if not isinstance(found, DampingLaw):
+        return [found]
+    if request.typed("plot"):
+        raise InputError("--plot", "a table of damping has no decay", "--csv, or asymptotics damping of the law found")
+    return []
+
+
+def _page(found: Identification | DampingLaw, request: Request) -> str | None:
     """The page, with the digests of the files and the options that are not at their defaults."""
+    if isinstance(found, DampingLaw):
+        return None
     # The page is to be checked against its data years later: names change, digests do not.
     files = {name: f"SHA-256 {sha256(Path(name).read_bytes()).hexdigest()}" for name in request["data"]}
     names = "kind unit laws springs amplitudes amplitudes_only mass stiffness omega_0 noise columns decimal sheet rate"
@@ -109,11 +127,14 @@ def _page(found: Identification, request: Request) -> str:
 @question(
     Offers(
         picture="decay, decrement plot, residuals, profiles",
+        drawn=_drawn,
         style=lambda _, __: {"panels": True},
         page=_page,
         table="all candidate laws",
         as_csv=_csv,
-        text=lambda found, _: told(found),
+        formula=lambda _, __: "",
+        data=lambda found, _: {**({"kind": DAMPING} if isinstance(found, DampingLaw) else {}), **found.to_dict()},
+        text=lambda found, _: str(found) if isinstance(found, DampingLaw) else told(found),
         always_files=True,
         reads="data",
         again=None,
@@ -149,7 +170,7 @@ def identify(
     bootstrap: Annotated[bool, BOOTSTRAP] = True,
     modes: Annotated[int, whole(1, 2).called(group=_DATA)] = 1,
     max_seconds: Annotated[Number, SECONDS.called(default=str(PATIENCE))] = PATIENCE,
-) -> Identification:
+) -> Identification | DampingLaw:
     """Which damping law is it?  From a measured decay to exponents, strengths and honest intervals.
 
       asymptotics identify DATA.csv                              # the columns say what it is
@@ -157,7 +178,8 @@ def identify(
       asymptotics identify RUN1.csv RUN2.csv --unit deg          # several runs of one oscillator
 
     Columns: record `t,x`; velocity `t,v`; acceleration `t,a`; turning-points `n,x[,tau]`; decrement
-    `amplitude,decrement[,resolution]` of half-swings. Names, units, separators and decimal marks are found and told;
+    `amplitude,decrement[,resolution]` of half-swings; damping `A,zeta` or `A,Q`, or of a resonance `A,force[,omega]`,
+    `[,resolution]`, which `damping --from` reads too. Names, units, separators and decimal marks are found and told;
     where two readings are possible, --columns or --decimal is asked for. Laws: exponents joined by + (1+2, or 3/2
     alone), `free` (one exponent to be found), `A,M:` for the loss |x|^M v|v|^(A-1), as `--law A,M:E` in other commands,
     `sP` for a spring x|x|^(P-1), `pendulum` for sin x. By default every subset of 0, 1, 2, 3 and a free exponent
@@ -218,7 +240,9 @@ def identify(
     -----
     ``data`` is a file (a text table of any layout, xlsx, parquet, npz, mat), an open one, a data frame, a mapping of
     columns, two arrays ``t, x`` or ``(t, x)``, observations, or a list of several runs.  ``kind`` is record, velocity,
-    acceleration, turning-points or decrement; ``unit`` m, cm, mm, rad, deg, and of time too: "mm,ms".
+    acceleration, envelope, turning-points, decrement or damping (amplitudes with zeta, Q, or the force of a resonance:
+    the answer is that of ``damping_law`` then, a ``DampingLaw``); ``unit`` m, cm, mm, rad, deg, and of time too:
+    "mm,ms".
     epsilon_i refers to x0 = 1 unit of the data: x'' + x + sum epsilon_i x'|x'|^(alpha_i - 1) = 0 in the time omega_0 t;
     b or b/m is given as far as ``mass``, ``stiffness``, ``omega_0`` or the times tell it.
     What is judged is a matter of counted work (a minute of an ordinary core, or a tenth of ``max_seconds`` where that
@@ -231,9 +255,22 @@ def identify(
     >>> x = (-1.0) ** n / (1 + 0.05 * n) + 1e-4 * np.random.default_rng(3).standard_normal(41)
     >>> identify({"n": n, "x": x}, laws=["1", "2", "free"]).law("1").law.verdict
     'refuted'
+    >>> identify({"A": ["0.1", "0.2", "0.4", "0.8"], "zeta": [0.0120, 0.0141, 0.0178, 0.0261]}, noise=2e-4).best.name
+    '1+2'
     """
+    how = How(columns, decimal, skip, sheet, None if rate is None else float(rate))
+    if kind in (None, DAMPING):
+        one = len(data) == 1 if isinstance(data, list) else not isinstance(data, tuple)
+        data = opened_once(data[0] if one and isinstance(data, list) else data, how) if one else data
+    if is_damping(data, kind):
+        asked = {
+            "x": x, "unit": unit, "columns": columns, "rate": rate, "springs": springs, "amplitudes": amplitudes,
+            "amplitudes_only": amplitudes_only, "omega_0": omega_0, "modes": modes, "noise": noise, "laws": laws,
+            "mass": mass, "stiffness": stiffness,
+        }  # fmt: skip
+        return law_of_damping(data, asked)
     return identified(
         data, kind=kind, unit=unit, laws=laws, springs=springs, amplitudes=amplitudes, amplitudes_only=amplitudes_only,
         mass=mass, stiffness=stiffness, omega_0=omega_0, noise=noise, bootstrap=bootstrap,
-        how=How(columns, decimal, skip, sheet, None if rate is None else float(rate)), modes=modes,
+        how=how, modes=modes,
     )  # fmt: skip

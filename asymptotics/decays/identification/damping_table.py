@@ -27,10 +27,11 @@ from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.decays.records.units import ANGLES, UNITS, seconds, suffix
 from asymptotics.equivalent.rows import OF_MOTION, row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.law import Oscillator, SpringLike
+from asymptotics.frames import BARE, Frame
+from asymptotics.law import PENDULUM, Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.policy import double_of, exact_number
 from asymptotics.present.percent import percent
 from asymptotics.terms import terms_of
 
@@ -44,7 +45,7 @@ NAMES = {
     "amplitude": ("a", "amplitude"),
     "zeta": ("zeta", "damping ratio", "damping_ratio"),
     "Q": ("q", "quality factor", "quality_factor"),
-    "decrement": ("decrement", "lambda", "log decrement", "log_decrement"),
+    "decrement": ("decrement", "lambda", "log decrement", "log_decrement", "logarithmic decrement", "log dec"),
     "resolution": ("resolution", "sigma", "s", "uncertainty", "error"),
     "force": ("f", "force"),
     "omega": ("omega", "w"),
@@ -71,12 +72,12 @@ def law_of_table(
     """
     if (mass is None) != (stiffness is None):
         raise InputError("mass" if mass is None else "stiffness", "is missing", "both, or neither")
-    columns, quantity, notes = _read(table)
+    columns, quantity, notes, unit = _read(table)
     known = columns.get("resolution")
     if resolution is not None:
         if known is not None:
             raise InputError("resolution", "the table has a column of that name", "one of the two")
-        known = np.full(len(columns["amplitude"]), float(resolution.ball().mid()))
+        known = np.full(len(columns["amplitude"]), double_of(resolution))
     spread = None if known is None else _positive(known, "resolution")
     given = _positive(columns["amplitude"], "A")
     ends, between = (float(given.min()), float(given.max())), quantity in CLOCKS
@@ -120,9 +121,11 @@ def law_of_table(
         found = tuple(replace(c, strengths=tuple(replace(e, low=nan, high=nan) for e in c.strengths)) for c in found)
     elif spread is None:
         notes += ("no resolutions: taken equal, as large as the best candidate needs, so none is refuted by chance",)
+    turning = spring == PENDULUM or unit in ANGLES
+    frame = BARE if mass is None else Frame("rad" if turning else "m", "s")
     off = None if driven else _neglected(problem, found[0], ends)
     relative = inf if spread is None and len(values) == 1 else float(np.median(s / zeta))
-    return DampingLaw(problem, found, len(given), ends, off, relative, mass is not None, (*notes, *skipped), used)
+    return DampingLaw(problem, found, len(given), ends, off, relative, frame, (*notes, *skipped), used)
 
 
 def _corrected(
@@ -141,7 +144,7 @@ def _losses(
 ) -> tuple[Any, Any, Any, tuple[str, ...]]:
     """Pairs of neighbouring amplitudes with the decrement of a cycle between them, its error, and what is told."""
     size, count = columns["amplitude"], columns[clock]
-    omega = 1.0 if mass is None or stiffness is None else float((stiffness / mass).ball().mid()) ** 0.5
+    omega = 1.0 if mass is None or stiffness is None else double_of(stiffness / mass) ** 0.5
     of_one = {"n": 0.5, "cycles": 1.0, "t": omega / (2 * np.pi)}[clock]
     both, values = pairs(size, of_one * count)
     named = {"n": "n counts half-swings", "cycles": "periods are counted", "t": "t in s"}[clock]
@@ -154,8 +157,23 @@ def _losses(
     return both, values, error, (named,)
 
 
-def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
-    """The columns by what they are, and which quantity there is."""
+def is_of_damping(names: Sequence[str]) -> bool:
+    """Whether columns of these names are a table of damping or of a resonance, and nothing else.
+
+    A decrement of which no more is said is that of ``identify``, A_n - A_(n+1), and none of ln(A_n/A_(n+2)).
+
+    >>> is_of_damping(["A [deg]", "zeta [%]"]), is_of_damping(["amplitude", "decrement"]), is_of_damping(["t", "A"])
+    (True, False, False)
+    >>> is_of_damping(["A", "log decrement"])
+    True
+    """
+    found = {name: _what(name) for name in names}
+    logarithmic = any(what == "decrement" and name.strip().lower()[:3] != "dec" for name, what in found.items())
+    return "amplitude" in found.values() and (logarithmic or not {"zeta", "Q", "force"}.isdisjoint(found.values()))
+
+
+def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...], str]:
+    """The columns by what they are, which quantity there is, what was done, and the unit of the amplitudes."""
     if isinstance(table, Mapping):
         named = {str(name): table[name] for name in table}
         places = {what: name for name in named if (what := _what(name)) is not None}
@@ -196,7 +214,7 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
     if UNITS.get(unit, 1.0) != 1.0:
         columns["amplitude"] = columns["amplitude"] * UNITS[unit]
         notes.append(f"amplitudes in {unit} taken as {'rad' if unit in ANGLES else 'm'}")
-    return columns, quantities[0], tuple(notes)
+    return columns, quantities[0], tuple(notes), unit
 
 
 def _in_plain_numbers(columns: dict[str, Any], names: Sequence[str]) -> list[str]:

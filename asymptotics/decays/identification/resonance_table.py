@@ -24,7 +24,7 @@ from asymptotics.driven.drive import Drive
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.policy import double_of, exact_number
 from asymptotics.running.budget import tick
 
 
@@ -33,7 +33,7 @@ def as_losses(
 ) -> tuple[Any, Any, Any, tuple[str, ...]]:
     """Amplitudes of a decay with zeta there, its error, and what is told; InputError for a force that is too small."""
     A, F = columns["amplitude"], columns["force"]
-    m, k = (1.0 if n is None else float(n.ball().mid()) for n in (mass, stiffness))
+    m, k = (1.0 if n is None else double_of(n) for n in (mass, stiffness))
     omega_0 = (k / m) ** 0.5
     omega = columns.get("omega", np.full(len(A), omega_0))
     detuning = A * (k - m * omega**2) if "omega" in columns else np.zeros(len(A))
@@ -64,7 +64,7 @@ def beyond_first_order(
     """What each amplitude is beyond first order for a law, by the next harmonics; 0 where they say nothing."""
     law = {exact_number(a, "laws"): b for a, b in strengths.items() if b > 0}
     oscillator = Oscillator(law, mass=mass or 1, stiffness=stiffness or 1)
-    m, k = (1.0 if n is None else float(n.ball().mid()) for n in (mass, stiffness))
+    m, k = (1.0 if n is None else double_of(n) for n in (mass, stiffness))
     omega = columns.get("omega", np.full(len(columns["force"]), (k / m) ** 0.5))
     off = []
     for n, (F, w) in enumerate(zip(columns["force"], omega)):

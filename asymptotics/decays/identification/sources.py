@@ -216,7 +216,7 @@ def _require_points(x: Array, rows: RowPlaces, notes: tuple[str, ...]) -> None:
 
 def _decrements(table: RecordTable) -> Decrements:
     table = table.whole()
-    notes = table.notes
+    notes = (*table.notes, "decrements: A_n - A_(n+1) of half-swings (logarithmic ones: kind damping)")
     rows, columns = table.rows, table.columns
     amplitude, decrement, resolution = columns["amplitude"], columns["decrement"], columns.get("resolution")
     if len(amplitude) < 2:

@@ -63,7 +63,9 @@ class Source:
 
 
 def opened(source: Any, how: How) -> Source:
-    """A path, an open file, a data frame or a mapping of columns."""
+    """A path, an open file, a data frame or a mapping of columns; a source that is open is itself."""
+    if isinstance(source, Source):
+        return source
     pandas = _pandas()
     if isinstance(source, pandas.DataFrame):
         return _of_frame(source, "the data", how)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.judging.allowance import WEAK, Allowance, allowances, told
 from asymptotics.decays.identification.judging.contradiction import REFUTED
@@ -98,6 +98,11 @@ def _one_law(
     advice: bool,
 ) -> Verdict:
     """One law, with what is not excluded beside it; several, if a further term may carry over a fifth of the loss."""
+    few = [other for other in laws if other.verdict == "undetermined" and not other.usable and _is_one_more(other, law)]
+    if few:
+        names = ", ".join(str(other.candidate) for other in few[:6])
+        text = f"{UNTOLD} to tell {named(law)} from {names}: {few[0].reason or 'too few data for a term more'}"
+        return Verdict(UNTOLD, text, "more swings")
     allowed = allowances(law, laws, None if seen is None else seen.reference)
     said = told(allowed)
     large = [a for a in allowed if a.share is not None and a.share > WEAK]
@@ -113,6 +118,13 @@ def _one_law(
         return Verdict(SEVERAL, text, what_would_tell(larger, law, seen) if advice else "", allowed)
     text = f"{IDENTIFIED}: {named(law)}, among the laws tried{_beside(law, fitted, beaten)}{said}"
     return Verdict(IDENTIFIED, text, "", allowed)
+
+
+def _is_one_more(other: Judged, law: Judged) -> bool:
+    """Whether it is the law with one loss more, and the same spring."""
+    a, b = other.candidate, law.candidate
+    alike = (a.springs, a.pendulum) == (b.springs, b.pendulum)
+    return alike and len(a.alphas) == len(b.alphas) + 1 and {*b.alphas} < {*a.alphas}
 
 
 def _is_imitation(law: Judged) -> bool:

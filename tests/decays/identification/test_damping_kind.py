@@ -1,0 +1,84 @@
+"""``identify`` of a table of damping: recognised by its columns, the answer of ``damping --from``, refused by name."""
+
+import io
+import json
+
+import pytest
+
+import asymptotics as asy
+from asymptotics.ask.questions._damping_law import damping_law
+from asymptotics.shell.main import main
+
+A, ZETA = ["0.1", "0.2", "0.4", "0.8"], [0.0120, 0.0141, 0.0178, 0.0261]
+FORCED = {"A": [0.5, 1.0, 1.5, 2.0], "force": [0.05, 0.1, 0.15, 0.2], "omega": [1, 1, 1, 1]}
+TEXT = "A,zeta\n" + "".join(f"{a},{z}\n" for a, z in zip(A, ZETA))
+
+
+@pytest.fixture
+def path(tmp_path):
+    made = tmp_path / "table.csv"
+    made.write_text(TEXT)
+    return made
+
+
+def test_the_columns_say_what_it_is_and_the_judge_is_that_of_the_other_command(path):
+    right = damping_law({"A": A, "zeta": ZETA}, resolution="0.0002")
+    frame = pytest.importorskip("pandas").DataFrame({"A": A, "zeta": ZETA})
+    for data in (path, str(path), io.StringIO(TEXT), {"A": A, "zeta": ZETA}, frame):
+        assert asy.identify(data, noise=0.0002) == right
+    assert asy.identify(path) != right  # near miss: no resolutions
+    assert asy.identify(FORCED, laws=["1", "2"]).best.name == "1"
+
+
+def test_shell_and_files(path, tmp_path, capsys):
+    line = [str(path), "--laws", "1", "1+2", "--json"]
+    assert main(["identify", *line, "--csv", str(tmp_path / "a.csv"), "--html", str(tmp_path / "a.html")]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert main(["damping", "--from", *line]) == 0
+    other = json.loads(capsys.readouterr().out)
+    assert found["kind"] == "damping" and found["laws"] == other["laws"] and found["verdict"] == other["verdict"]
+    assert (tmp_path / "a.csv").read_text().startswith("law,grade,alpha,low,strength,high")
+    assert "consistent" in (tmp_path / "a.html").read_text()
+
+
+def test_differences_of_amplitudes_stay_what_they_were_and_say_so():
+    """Logarithmic decrements were taken for differences, in silence, by the name "log decrement" too."""
+    table = {"amplitude": [1.0, 0.9, 0.81, 0.729], "decrement": [0.1, 0.09, 0.081, 0.0729]}
+    found = asy.identify(table, laws=["1"])
+    assert isinstance(found, asy.Identification) and any("A_n - A_(n+1)" in note for note in found.notes)
+    for name in ("log decrement", "log_decrement", "lambda", "logarithmic decrement"):
+        law = asy.identify({"A": [1, 2, 3, 4], name: [0.1, 0.13, 0.18, 0.23]})
+        assert isinstance(law, asy.DampingLaw) and law.problem.quantity == "decrement"
+    assert isinstance(asy.identify({"A": [1, 2, 3], "decrement": [0.1, 0.2, 0.3]}, kind="damping"), asy.DampingLaw)
+    turning = {"n": range(8), "x": [(-0.9) ** n for n in range(8)]}
+    assert isinstance(asy.identify(turning, laws=["1"], bootstrap=False), asy.Identification)
+
+
+@pytest.mark.parametrize(
+    ("option", "named"),
+    [
+        ("--springs 3", "--springs"), ("--amplitudes 0.1:0.5", "--amplitudes"), ("--amplitudes-only", "--amplitudes"),
+        ("--omega0 2", "--omega0"), ("--modes 2", "--modes"), ("--rate 5", "--rate"), ("--unit mm", "--unit"),
+        ("--columns x=1", "--columns"), ("--mass 2", "--stiffness"), ("--plot a.svg", "--plot"),
+        ("--laws free", "FILE"), ("--kind record", "FILE"),
+    ],
+)  # fmt: skip
+def test_what_only_a_decay_has_is_refused_by_name(path, option, named, capsys, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    assert main(["identify", str(path), *option.split()]) == 2
+    out, err = capsys.readouterr()
+    assert out == "" and err.count("\n") == 1 and f"argument {named}" in err
+    assert [p.name for p in tmp_path.iterdir()] == ["table.csv"]
+
+
+def test_several_runs_are_no_table(path):
+    with pytest.raises(asy.InputError, match="several runs"):
+        asy.identify([path, path], kind="damping")
+
+
+def test_a_law_is_not_identified_while_too_few_data_tell_nothing_of_a_term_more(tmp_path):
+    """Failed before: four decrements that double were "identified: 1", for 1+2 had no fit."""
+    table = {"amplitude": [1, 2, 3, 4], "decrement": [0.1, 0.13, 0.18, 0.23]}
+    found = asy.identify(table, laws=["1", "1+2"]).verdict
+    assert found.kind == "too short or too noisy" and "too few data for a term more" in found.text
+    assert asy.identify(table, laws=["1"]).verdict.kind == "identified"  # among the laws tried
