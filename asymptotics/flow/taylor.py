@@ -51,7 +51,6 @@ _SHARES = (0.95, 0.88, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.12, 0.05, 0.02, 0.01
 """Radii to try, in units of one where no term of W exceeds w_0: dense where a step usually is, and down to a thousandth
 for a force that grows fast."""
 _NEXT = 0.1  # log2 of the ratio of two of them at least: 0.95/0.88 = 2^0.11
-_TAPER = 16  # coefficients that are computed in the same bits: setting them costs as much as ten products
 _LOW = 40  # bits in which bounds are computed: the radius of a ball has 30
 
 
@@ -171,7 +170,7 @@ def _of_real_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb
     alone = [p for (_, m, _), p in zip(losses, powers) if not m]
     moved = GrowingProduct(rest, ratio, order)
     growing = [(a, p, GrowingProduct(ratio, p, order)) for (_, _, a), p in zip(losses, powers)]
-    block = min(block_for(order), _TAPER)
+    block = block_for(order)
     for start in range(0, order, block):
         with ctx.workprec(_bits_for(start, order, full)):
             for k in range(start, min(start + block, order)):
