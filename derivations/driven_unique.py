@@ -163,13 +163,13 @@ asserts(
 step(
     "Two turns nu pi apart in phase have sin^2 + sin^2 >= 1 - |cos(nu pi)|, what friction alone takes of a period;"
     " it is 0 where omega_0/Omega is a whole number alone,",
-    sympy.sin(phi) ** 2 + sympy.sin(phi + w) ** 2,
+    At(sympy.sin(p1) ** 2 + sympy.sin(p2) ** 2, {p1: phi, p2: phi + w}),
     1 - sympy.cos(w) * sympy.cos(2 * phi + w),
 )
 step(
     "Far motions: the period T(z) never lengthens a distance.  With T(p) = p, a factor q within d of p, and z beyond, w"
     " the point of the segment d from p: |T z - p| <= |T z - T w| + |T w - p|, which is at most",
-    (D - d) + q * d,
+    At(w + q * d, {w: D - d}),
     D - (1 - q) * d,
 )
 asserts(
