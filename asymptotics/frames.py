@@ -50,6 +50,19 @@ class Frame(Shown):
             return ""
         return self.t if name in _TIMES else {"v": f"{self.x}/{self.t}", "phase": "rad"}.get(name, self.x)
 
+    def unit_of_loss(self, alpha: object) -> str:
+        """The unit of b in b v|v|^(alpha-1), a force or, of angles, a torque; none of a law alone.
+
+        >>> Frame("m", "s").unit_of_loss("3/2"), Frame("rad", "s").unit_of_loss("1"), BARE.unit_of_loss("1")
+        ('N (s/m)^3/2', 'N m s', '')
+        """
+        if not self.t:
+            return ""
+        turning = self.x != "m"
+        force, plain = ("N m", "N m s") if turning else ("N", f"N {self.t}/m")
+        power = f"{force} ({self.t}/{'rad' if turning else 'm'})^{alpha}"
+        return {"0": force, "1": plain}.get(str(alpha), power)
+
     def named(self, name: str) -> str:
         """A column with its unit; the time by the name that it has here."""
         name = self.time if name == "t" else name

@@ -1,6 +1,10 @@
 """What a process costs before it has done anything: processor time and peak memory of starting, importing, answering.
 
 The ratio is to a bare interpreter; SymPy and SciPy stand beside, since a tool built on them pays at least that.
+
+``expand`` prints closed forms, which are SymPy's: of its 0.46 s SymPy takes 0.25, as much as importing it alone, and
+0.03 more for ``sympy.tensor``, which its first sum loads; ``moment``, which needs no SymPy, takes 0.15.  So the 0.35
+s that were asked for could be had only by closed forms that something else writes.
 """
 
 import json

@@ -11,8 +11,10 @@ from derivations.steps import At, Derivation, Solution
 X, V, r, u = sympy.symbols("X V r u", real=True)
 g1, g2, p1, p2, q1, q2 = sympy.symbols("g_1 g_2 p_1 p_2 q_1 q_2", real=True)
 mu, k, w, a, e, q, lam, s, D, n, T = sympy.symbols("mu k w a e q lambda s D n T", positive=True)
+c, P, Q, S, tau, d = sympy.symbols("c P Q S tau d", positive=True)
 alpha = sympy.Symbol("alpha", positive=True)
 t, theta, phi = sympy.symbols("t theta phi", real=True)
+j, N = sympy.symbols("j N", integer=True, positive=True)
 place, speed = sympy.Function("X")(t), sympy.Function("V")(t)
 
 derivation = Derivation(
@@ -119,4 +121,68 @@ asserts(
 asserts(
     "for alpha < 1 the slope falls with the speed, and the bounds of a change places",
     sympy.Lt(At(alpha * (alpha - 1), {alpha: sympy.Rational(1, 2)}), 0, evaluate=False),
+)
+step(
+    "A turn, with dry friction c and the pull P > c + g towards the other side, g what the other losses take there at"
+    " most: before it a motion is slowed at P + c over mu at least, and after it at P - c - g.  Both together are S/mu",
+    At(p1 + c, {p1: P}) + At(p1 - c - g1, {p1: P}),
+    2 * P - g1,
+)
+step(
+    "While one of two motions, tau later, has not turned, |V| is the sum of both speeds, its integral S tau^2/(2 mu) at"
+    " least, and friction, twice c, takes of the half square of the distance",
+    2 * c * sympy.Integral(S / mu * u, (u, 0, tau)),
+    c * S * tau**2 / mu,
+)
+step(
+    "at least, which is what V is as the first one turns, tau (P_high + c + g)/mu at most, in the square, mu V^2 times",
+    Solution(c * S * tau**2 / mu, w * mu * (tau * (Q + c) / mu) ** 2, w),
+    c * S / (Q + c) ** 2,
+)
+step(
+    "with Q = P_high + g: a part of the measure a dt in one point; exact for friction alone, whose two motions leave a"
+    " turn with (P - c)/(P + c) of V",
+    At(c * S / (Q + c) ** 2, {S: 2 * P, Q: P}),
+    (1 - ((P - c) / (P + c)) ** 2) / 2,
+)
+step(
+    "To sqrt(mu) V friction adds 2 c tau/sqrt(mu), of what it takes the root times that of",
+    Solution((2 * c * tau) ** 2 / mu, w * c * S * tau**2 / mu, w),
+    4 * c / S,
+)
+step(
+    "which is a part of G.  For 0 < alpha < 1 a motion that turns at 0 has the speed gamma |t| at least, and a quotient"
+    " of differences is 2^(1-alpha) times the larger speed to the power alpha - 1 at most: its integral is finite,",
+    sympy.Derivative(w**alpha / alpha, w),
+    w ** (alpha - 1),
+)
+asserts(
+    "because (1 - r^alpha)/(1 - r) <= 1 for speeds of one sign, and (1 + r^alpha)/2 <= ((1 + r)/2)^alpha for two:"
+    " w^alpha is concave,",
+    sympy.Le(At(sympy.Derivative(w**alpha, (w, 2)), {alpha: sympy.Rational(1, 2)}), 0, evaluate=False),
+)
+turns = sympy.sin(phi) ** 2 + sympy.sin(phi + w) ** 2
+step(
+    "Of two turns w = nu pi apart in phase, what friction alone takes in a period is least or largest where 2 phi + w"
+    " is a multiple of pi, or everywhere the same:",
+    sympy.Derivative(turns, phi),
+    2 * sympy.cos(w) * sympy.sin(2 * phi + w),
+)
+step("there it is 1 - cos(w)", At(turns, {phi: -w / 2}), 1 - sympy.cos(w))
+step(
+    "or 1 + cos(w), so 1 - |cos(nu pi)| at least: it is 0 where omega_0/Omega is a whole number alone,",
+    At(turns, {phi: (sympy.pi - w) / 2}),
+    1 + sympy.cos(w),
+)
+step(
+    "Far motions: the period T(z) never lengthens a distance.  With T(p) = p, a factor q within d of p, and z beyond, w"
+    " the point of the segment d from p: |T z - p| <= |T z - T w| + |T w - p| <= (D - d) + q d.  After N periods it is"
+    " at most",
+    D - sympy.Sum((1 - q) * d, (j, 1, N)),
+    D - N * (1 - q) * d,
+)
+asserts(
+    "so every motion comes within d, and from there on the distance falls by q: the response attracts them all, and is"
+    " the only one.  Near miss: with omega_0 = 2 Omega there are others, cos(2 theta) at rest at both turns",
+    sympy.Eq(At(sympy.Derivative(sympy.cos(2 * u), u), {u: sympy.pi}), 0, evaluate=False),
 )

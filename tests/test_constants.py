@@ -38,10 +38,10 @@ def test_no_origin_is_unknown():
 
 
 def test_a_value_is_put_in_and_taken_out_again():
-    one = Constant("bounds.late", "ORDERS", ({1: 3}, {1: 7, 2: 5}), {"it": lambda: float(one.present[1])}, "order")
+    one = Constant("bounds.late", "ORDERS", ({1: 3}, {1: 9, 2: 5}), {"it": lambda: float(one.present[1])}, "order")
     with instead(one, {1: 3}):
         assert one.present == {1: 3} and constants.measured(one.tasks["it"], 1)["quality"] == 3
-    assert one.present == {1: 7, 2: 5}
+    assert one.present == {1: 9, 2: 5}
 
 
 def test_what_a_poor_value_meets_is_recorded():

@@ -34,7 +34,11 @@ QUANTITIES = {
 def _time(value: Any, name: str) -> ExactReal:
     moment = exact_number(value, name)
     if moment < 0:
-        raise InputError(name, f"{moment} is before the start, where the state is given", "a time >= 0 in seconds")
+        raise InputError(
+            name,
+            f"{moment} is before the start, where the state is given",
+            "a time >= 0, in s, of a law alone in 1/omega_0",
+        )
     return moment
 
 

@@ -34,9 +34,9 @@ from asymptotics.return_map.sequence import Interpolated
 from asymptotics.running.budget import tick
 
 # A higher order is better at small strengths and has more coefficients, which sums multiply.  At the time 10^6, from
-# half-swing 40 on, two orders more of one law give 11 bits for a twentieth of the time, one more of two laws 7 bits for
-# a sixth (``benchmarks/constants.json``): a free choice, and the theorem bounds the error at any of them.
-ORDERS = {1: 7, 2: 5}
+# half-swing 40 on, two orders more of one law give 11 or 10 bits for no measurable time, one more of two laws 7 bits
+# for a sixth (``benchmarks/constants.json``): a free choice, and the theorem bounds the error at any of them.
+ORDERS = {1: 9, 2: 5}
 """The order K of the jump, by the number of laws; 3 for more than two."""
 
 

@@ -88,7 +88,7 @@ def enclosure(oscillator: Oscillator, t: ExactReal, digits: int, *, max_seconds:
 def _jumped(oscillator: Oscillator, t: ExactReal, digits: int) -> arb:
     """By ``late``, after twenty half-swings for each digit."""
     # 1/delta grows by a constant in each half-swing: after 20 digits of them delta is some 1/(20 digits), and the
-    # truncated equations of ``late`` lack its seventh power, or its fifth.
+    # truncated equations of ``late`` lack its ninth power, or its fifth.
     law, lead = oscillator.dimensionless, 20 * digits
     with ctx.workprec(64):
         # log2 of the time: the whole turns that the phase takes off its digits.

@@ -85,7 +85,7 @@ def events_of(moving: _Sampled, until: Number, stop: float | None) -> Events:
     oscillator = moving.oscillator
     end = exact_number(until, "until")
     if not end > 0:
-        raise InputError("until", f"{end} is not positive", "a time > 0 in seconds")
+        raise InputError("until", f"{end} is not positive", "a time > 0, in s, of a law alone in 1/omega_0")
     last, omega = float(end.ball().mid()), float(oscillator.omega_0().mid())
     swings = last * omega / np.pi
     if swings > MAX_EVENTS:

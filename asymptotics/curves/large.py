@@ -190,7 +190,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
     def _sampled(self, t: ArrayLike, *, halved: bool) -> MotionSamples:
         times = real_array(t, "time")
         if np.any(times < 0) or np.any(np.isinf(times)):
-            raise InputError("time", "a time is negative or infinite", "times >= 0 in seconds")
+            raise InputError("time", "a time is negative or infinite", "times >= 0, in s, of a law alone in 1/omega_0")
         omega, length = float(self.oscillator.omega_0().mid()), float(self._length().mid())
         # NaN and extinct times are computed at a harmless place and overwritten: the table is for 0 <= tau before the
         # end.

@@ -60,7 +60,7 @@ def _states(moving: Reference, times: Sequence[ExactReal]) -> list[tuple[float, 
     """(x, v) of the reference motion at ascending times, in doubles; those found before an error are handed over."""
     oscillator, last = moving.oscillator, times[-1]
     seconds = estimated_seconds(oscillator, last, _REFERENCE_DIGITS)
-    require_affordable(seconds, _MAX_SECONDS, "time", f"a reference motion through {last} s", " for files")
+    require_affordable(seconds, _MAX_SECONDS, "time", f"a reference motion through the time {last}", " for files")
     # Each time by its closed form, so that what is done so far is a list of rows.
     if alone(oscillator, 0) is not None:  # exact, with sticking
         made: list[tuple[float, float]] = []

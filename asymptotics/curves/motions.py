@@ -188,7 +188,7 @@ class Reference(ProvedStates, Drawn):
         times = times_of(t)
         missing = np.isnan(times)
         if np.any(times < 0):
-            raise InputError("time", "a time is negative", "times >= 0 in seconds")
+            raise InputError("time", "a time is negative", "times >= 0, in s, of a law alone in 1/omega_0")
         # NaN is computed at the start, t = 0, and put back afterwards.
         x, v = self._values(np.where(missing, 0.0, times).ravel())
         x, v = (np.where(missing, np.nan, values.reshape(times.shape)) for values in (x, v))
@@ -247,7 +247,7 @@ class Reference(ProvedStates, Drawn):
         last = max(times, default=ExactReal(0))
         # The states are found along one orbit, so that the latest time decides the cost.
         seconds = estimated_seconds(self.oscillator, last, DIGITS)
-        require_affordable(seconds, MAX_SECONDS, "time", f"{last} s")
+        require_affordable(seconds, MAX_SECONDS, "time", f"the time {last}")
 
     def _page(self) -> Page:
         worth = "without expansion: .at(t) says its digits and whether they are certified; curves are doubles"
@@ -303,5 +303,5 @@ def times_of(t: Any) -> Array:
     """An array of doubles; InputError for what is none."""
     times = real_array(t, "time")
     if np.any(np.isinf(times)):
-        raise InputError("time", "a time is infinite", "times in seconds")
+        raise InputError("time", "a time is infinite", "times, in s, of a law alone in 1/omega_0")
     return times

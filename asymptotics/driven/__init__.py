@@ -2,7 +2,8 @@
 
 The power of each loss grows with the speed, so the difference of two motions under one force never grows: there is one
 periodic orbit, and every motion tends to it.  ``first_order`` has it closed, ``respond`` in balls: a trial orbit in
-pieces (``expansion``, ``trial``), how far it is from an exact motion, and the contraction of half a period beside it.
+pieces (``expansion``, ``trial``), how far it is from an exact motion, and the contraction of half a period beside it;
+where a loss is steep at rest (dry friction, exponents below 1), of a period, whose turns count (``turn``).
 
 With theta = Omega t, mu = m Omega^2 and c_i = b_i Omega^alpha_i the equation is
 

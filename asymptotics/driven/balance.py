@@ -96,6 +96,18 @@ def _loss(waves: Array, losses: tuple[tuple[float, float], ...]) -> Array:
     return 2 / pi * np.stack([loss @ np.cos(angle), loss @ np.sin(angle)], axis=1)
 
 
+def turns_of(waves: Array) -> list[tuple[float, float]]:
+    """(theta, x) of the turning points in half a period that begins a little before the largest first harmonic."""
+    begin = np.arctan2(waves[0, 1], waves[0, 0]) - pi / 2
+    theta = begin + np.arange(_GRID + 1) * (pi / _GRID)
+    v = _speed(waves, theta)
+    found = []
+    for n in np.flatnonzero((v[1:] > 0) != (v[:-1] > 0)):
+        at = theta[n] + (theta[n + 1] - theta[n]) * v[n] / (v[n] - v[n + 1])
+        found.append((float(at), float(np.cos(_N * at) @ waves[:, 0] + np.sin(_N * at) @ waves[:, 1])))
+    return found
+
+
 def _largest(waves: Array) -> float:
     """The largest |x|, by a parabola through the three highest places of a grid."""
     theta = np.arange(_GRID) * (pi / _GRID)

@@ -128,16 +128,16 @@ class Arc:
             (c / (e + self.lead + 1), e + self.lead + 1) for c, e in zip(self.ws, self.exponents)
         ]
         size = sum((abs(c) * h**e if e != 0 else abs(c) for c, e in terms), arb(0))
+        parts = [(c * h ** (e + 1), e + 1) for c, e in terms]
         total, wave, j = acb(0), acb(1), 0
         while True:
-            factor = sum((c * h ** (e + j + 1) / (e + j + 1) for c, e in terms), arb(0))
-            total += wave * factor
+            total += wave * sum((part / (e + j) for part, e in parts), arb(0))
             j += 1
-            wave *= acb(0, turn) / j
+            wave *= acb(0, turn) * h / j
             # What is left of e^(i n s) is at most (n s)^j/j!, and of its integral (n h)^j/j! h/(j + 1).
-            if abs(wave) * h**j < arb(2) ** (-ctx.prec) or j > 4 * ctx.prec:
+            if abs(wave) < arb(2) ** (-ctx.prec) or j > 4 * ctx.prec:
                 break
-        rest = upper(size * abs(wave) * h ** (j + 1) / (j + 1))
+        rest = upper(size * abs(wave) * h / (j + 1))
         start = (acb(0, -n) * self.begin).exp()
         return self.sign * start * (total + acb(arb(0, rest), arb(0, rest)))
 

@@ -1,4 +1,4 @@
-"""Where the response turns, in doubles: half a period by Runge and Kutta, its fixed point by Newton.  Proves nothing.
+"""Where the response turns, in doubles: half a period by Runge and Kutta and Newton, or its harmonics.  Proves nothing.
 
 The unit of x is the amplitude of first order, that of a force f.
 """
@@ -6,6 +6,7 @@ The unit of x is the amplitude of first order, that of a force f.
 from collections.abc import Callable
 from math import ceil, cos, hypot, inf, isfinite, pi, sin, sqrt
 
+from asymptotics.driven.balance import balanced, turns_of
 from asymptotics.driven.drive import Balls
 from asymptotics.errors import LimitError
 from asymptotics.running.budget import tick
@@ -37,9 +38,36 @@ def turning_point(balls: Balls, phase: float) -> State:
             turns.append((theta + share, x + share * v / 2))
         theta, (x, v) = theta + h, later
     if len(turns) != 1:
-        reason = f"the response turns {len(turns)} times in half a period: one turn is served"
-        raise LimitError("omega", reason, "a frequency nearer omega_0, or a stronger loss")
+        raise _many(len(turns))
     ((theta, x),) = turns
+    return theta - pi, -x
+
+
+def _not_found(perhaps: str = "") -> LimitError:
+    reason = f"the response was not found in doubles{perhaps}"
+    return LimitError("force", reason, "a weaker loss, or a frequency nearer omega_0")
+
+
+def _many(turns: int) -> LimitError:
+    reason = f"the response turns {turns} times in half a period: one turn is served"
+    return LimitError("omega", reason, "a frequency nearer omega_0, or a stronger loss")
+
+
+def turning_point_of_waves(balls: Balls, phase: float) -> State:
+    """The same for losses steep at rest, by the balance of the harmonics; LimitError where it sticks as well."""
+    losses = tuple((float(c.mid()), float(a.mid())) for c, a in balls.losses)
+    k = float(balls.k.mid())
+    waves = balanced(k, float(balls.mu.mid()), losses, (cos(phase), sin(phase)))
+    dry = sum(c for c, a in losses if a == 0)
+    if waves is None:
+        raise _not_found(", or dry friction holds the mass" if dry else "")
+    turns = turns_of(waves)
+    if len(turns) != 1:
+        raise _many(len(turns))
+    ((theta, x),) = turns
+    if not x > 0 or abs(cos(theta) - k * x) <= dry:
+        reason = "dry friction holds the mass where it turns: a response that slides all along is served"
+        raise LimitError("force", reason, "a larger force, or less dry friction")
     return theta - pi, -x
 
 
@@ -85,4 +113,4 @@ def _fixed(slope: Slope, steps: int, x: float, v: float) -> State:
         x, v = (X, V) if far else (x + step[0], v + step[1])
         if hypot(*step) < 1e-9 * size:
             return x, v
-    raise LimitError("force", "the response was not found in doubles", "a weaker loss, or a frequency nearer omega_0")
+    raise _not_found()

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from flint import acb, arb
 
 from asymptotics.driven import first_order, guess
-from asymptotics.driven.contraction import factor
+from asymptotics.driven.contraction import factor, halves
 from asymptotics.driven.drive import Balls, Drive
 from asymptotics.driven.trial import Trial, trial
+from asymptotics.driven.turn import is_steep
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.moments.certified import moment
 from asymptotics.flow.balls import size_of, upper
@@ -21,6 +22,7 @@ from asymptotics.numbers.context import ctx
 MAX_BITS = 1 << 10
 """Of the working precision: some twenty seconds of one processor."""
 _FIT_FOR_DOUBLES = 30.0
+_ROOMS = (10, 20, 40, 80)  # that many bits less than the amplitude: choices
 
 
 def bits_lost(drive: Drive) -> int:
@@ -35,7 +37,24 @@ def bits_lost(drive: Drive) -> int:
         R = first_order.resistance(balls, A)
         third = sum((c * A**a * 2 * moment(a + 1) * (a - 1) / (a + 3) for c, a in balls.losses), arb(0))
         small = min(size_of(R / balls.f), size_of(third / A) - size_of(balls.k - 9 * balls.mu))
-        return int(min(max(0.0, -small) + _weakness(balls, A), 1e6))
+        return int(min(max(0.0, -small) + _weakness(balls, A) + _free(drive, balls), 1e6))
+
+
+def free_harmonic(drive: Drive) -> int | None:
+    """n where dry friction acts alone and omega_0 = n Omega: it takes nothing of a free motion at rest at each turn."""
+    if not all(a.is_zero for a in drive.alphas):
+        return None
+    with ctx.workprec(MAX_BITS):
+        balls = drive.balls()
+        whole = (balls.k / balls.mu).sqrt().unique_fmpz()
+        return None if whole is None else int(whole)
+
+
+def _free(drive: Drive, balls: Balls) -> float:
+    """-log2 (1 - |cos(pi omega_0/Omega)|) for dry friction alone, what is lost beside such a frequency."""
+    if not all(a.is_zero for a in drive.alphas):
+        return 0.0
+    return -size_of(1 - abs(((balls.k / balls.mu).sqrt() * arb.pi()).cos()))
 
 
 def _weakness(balls: Balls, A: arb) -> float:
@@ -66,8 +85,8 @@ class Orbit:
     def state(self) -> tuple[arb, arb]:
         """(x, dx/d theta) at theta = 0, where the force is largest."""
         elapsed, mirror = -self.trial.theta, 1
-        if not elapsed >= 0:
-            elapsed, mirror = elapsed + arb.pi(), -1
+        if not 0 <= elapsed <= arb.pi():
+            elapsed, mirror = elapsed + (-1 if elapsed > 0 else 1) * arb.pi(), -1
         nodes = self.trial.nodes
         number = max(n for n, node in enumerate(nodes[:-1]) if n == 0 or node <= elapsed)
         p = self.trial.pieces[number]
@@ -88,15 +107,30 @@ def orbit(drive: Drive) -> Orbit:
     unit = first.mid()
     scaled = balls.in_units(unit)
     lost, lag = _weakness(balls, first), first_order.phase(balls, first)
-    if lost < _FIT_FOR_DOUBLES:
+    if is_steep(scaled):
+        theta, X = guess.turning_point_of_waves(scaled, float(lag.mid()))
+        start, least = (arb(theta), arb(X)), 64
+    elif lost < _FIT_FOR_DOUBLES:
         theta, X = guess.turning_point(scaled, float(lag.mid()))
         start, least = (arb(theta), arb(X)), 64
     else:  # first order is nearer, and fewer bits than these see no loss
         start, least = ((lag - arb.pi()).mid(), -(first / unit).mid()), 64 + 2 * int(lost)
     found = trial(scaled, drive.alphas, start, least)
-    room = upper(scaled.k.sqrt() * abs(found.X) / 1024)
-    q = factor(found, room)
-    if not found.miss <= (1 - q) * room:
-        raise UndecidedError("the trial orbit is not near enough for its contraction")
     # On the way the trial orbit parts by another miss; its jumps, part of that, may make it pass its turning point.
-    return Orbit(found, unit, upper(found.miss / (1 - q) + 2 * found.miss))
+    miss = halves(scaled) * found.miss
+    return Orbit(found, unit, upper(miss / (1 - _factor(found, miss)) + 2 * miss))
+
+
+def _factor(found: Trial, miss: arb) -> arb:
+    """The factor in the first room that holds what it maps; where motions turn is decided in a small one."""
+    size, said = found.balls.k.sqrt() * abs(found.X), "the trial orbit is not near enough for its contraction"
+    for share in _ROOMS:
+        room = upper(size * arb(2) ** -share)
+        try:
+            q = factor(found, room)
+        except UndecidedError as error:
+            said = str(error)
+            continue
+        if miss <= (1 - q) * room:
+            return q
+    raise UndecidedError(said)

@@ -16,9 +16,9 @@ from asymptotics.driven import first_order, linear
 from asymptotics.driven.drive import Drive
 from asymptotics.driven.first_numbers import MAX_BITS, FirstOrder, Value, first_order_of
 from asymptotics.driven.orbit import MAX_BITS as ORBIT_BITS
-from asymptotics.driven.orbit import bits_lost, orbit
+from asymptotics.driven.orbit import bits_lost, free_harmonic, orbit
 from asymptotics.driven.shown import ResponsePage
-from asymptotics.errors import LimitError
+from asymptotics.errors import LimitError, UndecidedError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of
 from asymptotics.numbers.exact import ExactReal
@@ -66,25 +66,32 @@ class Response(ResponsePage):
 
 
 def respond(drive: Drive, digits: int) -> Response:
-    """First order, and the response itself where it is served: every exponent 1 or more, one turn in half a period."""
+    """First order, and the response itself where it is served: sliding all along, one turn in half a period."""
     first, notes = first_order_of(drive, digits), drive.oscillator.notes
     asked = (drive.oscillator, drive.force, drive.omega, digits, first)
     if linear.is_linear(drive):
         return Response(*asked, **_linear(drive, digits), notes=notes)
-    if any(a < 1 for a in drive.alphas):
-        reason = "the response itself is proved for exponents from 1 on: this law is served to first order alone"
-        return Response(*asked, notes=(*notes, reason))
+    if (n := free_harmonic(drive)) is not None:
+        reason = f"omega_0 is {n} Omega, and of a free motion at rest at each turn dry friction alone takes nothing"
+        return Response(*asked, notes=(*notes, f"first order alone: {reason}"))
     bits = bits_for(digits, 48) + bits_lost(drive)
     if bits > ORBIT_BITS:
         reason = f"beside so weak a loss {digits} digits of the response need about {bits} bits, more than {ORBIT_BITS}"
         return Response(*asked, notes=(*notes, f"first order alone: {reason}"))
+    steep = any(a < 1 for a in drive.alphas)
     try:
-        told = at_growing_precision(lambda _: _orbit(drive, digits), digits, bits, max_bits=ORBIT_BITS)
+        # Where a mass may stick no precision helps.
+        most = min(4 * bits, ORBIT_BITS) if steep else ORBIT_BITS
+        told = at_growing_precision(lambda _: _orbit(drive, digits), digits, bits, max_bits=most)
     except LimitError as error:
         # The time of the request is no property of the response.
         if error.argument == "max_seconds":
             raise
         return Response(*asked, notes=(*notes, f"first order alone: {error.reason}"))
+    except UndecidedError as error:
+        if not steep:
+            raise
+        return Response(*asked, notes=(*notes, f"first order alone: {error}"))
     return Response(*asked, **told, notes=notes)
 
 

@@ -245,7 +245,9 @@ def _times(t: Array) -> tuple[Array, Array]:
     try:
         times = np.asarray(t, dtype=float)
     except (TypeError, ValueError, OverflowError):
-        raise InputError("time", f"{type(t).__name__} is no array of times", "numbers >= 0 in seconds") from None
+        raise InputError(
+            "time", f"{type(t).__name__} is no array of times", "numbers >= 0, in s, of a law alone in 1/omega_0"
+        ) from None
     bad = times[(times < 0) | np.isinf(times)]
     _require_time(bool(bad.size), f"{bad[0]} (and {bad.size - 1} more)" if bad.size > 1 else str(bad.sum()))
     return times, np.isnan(times)
@@ -254,7 +256,7 @@ def _times(t: Array) -> tuple[Array, Array]:
 def _require_time(negative: bool, shown: str) -> None:
     if negative:
         reason = f"{shown} is not a time after the start: the state is given at t = 0, and backwards damping is driving"
-        raise InputError("time", reason, "a time >= 0 in seconds")
+        raise InputError("time", reason, "a time >= 0, in s, of a law alone in 1/omega_0")
 
 
 def _notes(missing: int, extinct: int, end: float) -> tuple[str, ...]:

@@ -31,7 +31,11 @@ def time_of(t: Number, name: str = "time") -> ExactReal:
     """A time as an exact number; InputError for t < 0: the state is given at t = 0, and friction cannot be undone."""
     moment = exact_number(t, name)
     if moment < 0:
-        raise InputError(name, f"{moment} is before the start, where the state is given", "a time >= 0 in seconds")
+        raise InputError(
+            name,
+            f"{moment} is before the start, where the state is given",
+            "a time >= 0, in s, of a law alone in 1/omega_0",
+        )
     return moment
 
 

@@ -15,7 +15,7 @@ for alpha in ("1/2", "1", "2", "3"):
     asy.response({alpha: "1/5"}, "1/2", 1, digits=6).plot(axes, label=f"alpha = {alpha}")
 
 # %%
-# Four laws of one strength under one force.  The response is certified from exponent 1 on; the amplitude at resonance
+# Four laws of one strength under one force.  The response is certified for each; the amplitude at resonance
 # grows with the force to the power 1/alpha:
 
 ratios = []

@@ -159,8 +159,13 @@ def test_the_contraction_is_no_less_than_the_true_one():
 
 
 def test_what_is_not_served_is_told_by_name():
-    for law, word in (({"1/2": "1/10"}, "exponents from 1 on"), ({0: "1/10", 2: 1}, "exponents from 1 on")):
-        found = asy.response(law, "1/2", 2, digits=5)
+    for law, force, omega, word in (
+        ({0: "0.479"}, "0.742", "1.751", "or dry friction holds the mass"),
+        ({0: "0.199"}, "0.323", "2.362", "dry friction holds the mass where it turns"),
+        ({0: "1/5"}, 1, "1/2", "omega_0 is 2 Omega"),
+        ({"1/4": "0.479"}, "0.742", "1.751", "pieces"),
+    ):
+        found = asy.response(law, force, omega, digits=5)
         assert not found.certified and found.amplitude is None and word in found.notes[-1]
         assert found.first_order.amplitude
     superharmonic = asy.response({2: "1/2"}, 20, "1/7", digits=5)

@@ -22,6 +22,13 @@ def test_command(capsys):
     assert "e^{2u_1}" in capsys.readouterr().out
 
 
+def test_a_near_miss_is_told_without_latex(capsys):
+    """Failed before: ``at u_{0} = \\frac{2}{7}`` stood in the terminal."""
+    assert main(["papers", "smith2012:43", "--check"]) == 0
+    out = capsys.readouterr().out
+    assert "at u_0 = 2/7, u_1 = 3/5" in out and not {*"\\{}"} & {*out}
+
+
 def test_the_checks_have_a_time(capsys, monkeypatch):
     main(["papers", "smith2012:48", "--check"])  # the runner is loaded
     capsys.readouterr()

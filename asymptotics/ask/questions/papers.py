@@ -17,6 +17,7 @@ from asymptotics.papers.everything import look_up
 from asymptotics.papers.lookup import SHORTFALLS, VERDICTS, cited, find, has_verdict, identifiers, later, statements
 from asymptotics.papers.lookup import papers as known_papers
 from asymptotics.papers.statement import PaperStatement
+from asymptotics.present.in_line import in_line
 from asymptotics.running.budget import tick
 from asymptotics.running.cut_short import keeping
 
@@ -139,8 +140,9 @@ def _in_full(s: PaperStatement) -> str:
 
 def _told(apart: dict[str, Any]) -> str:
     """The two sides that differ, by their values where there are any."""
-    left, right = (value or side for value, side in zip(apart["values"], (apart["left"], apart["right"])))
-    return f"{left} is not {apart['relation']} {right}" + (f" at {apart['where']}" if apart["where"] else "")
+    left, right = (in_line(value or side) for value, side in zip(apart["values"], (apart["left"], apart["right"])))
+    place = f" at {in_line(apart['where'])}" if apart["where"] else ""
+    return f"{left} is not {in_line(apart['relation'])} {right}{place}"
 
 
 _MOST = 6

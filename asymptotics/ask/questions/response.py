@@ -32,8 +32,8 @@ def _data(found: Response, request: Request) -> dict[str, Any]:
     ),
     swept=True,
     example="--law 2:1/10 --force 1/5 --omega 9/10 --digits 5",
-    rests="a trial orbit with its defect and a contraction, in balls, from exponent 1 on (`driven-unique`); below"
-    " it first order alone (`driven-first-order`)",
+    rests="a trial orbit with its defect and a contraction, in balls (`driven-unique`); where dry friction holds the"
+    " mass, or it turns more than once in half a period, first order alone (`driven-first-order`)",
 )
 def response(
     law: Annotated[LawLike | Oscillator, DRIVEN],
@@ -50,13 +50,14 @@ def response(
       asymptotics response --alpha 2 --damping 1/10 --mass 3/2 --stiffness 30 --force 1/2 --omega 4
 
     The power of a loss grows with the speed, so two motions under one force never part: there is one periodic response,
-    no jumps, and every motion tends to it.  To first order x = A cos(W t - phase) in closed form, for every exponent:
-    beside A and the phase c_eq, the amplitude at omega_0, Q there of the decay and of the half-power width, where the
-    amplitude is largest, and an estimate of the error by the next harmonics.  The response itself, all digits proved,
-    for exponents from 1 on and their sums, where it turns once in half a period: `amplitude` its largest |x|; `x0` and
-    `v0` at t = 0, where the force is F; `phase`, by which its first harmonic lags behind the force, 0 to pi; the energy
-    that a cycle takes, the harmonics, and `difference`, what amplitude and phase are beyond first order.  Else
-    `certified` is false, the notes say why, and the first order is all there is.
+    no jumps, and every motion tends to it; of dry friction alone that is said only where the response is certified.
+    To first order x = A cos(W t - phase) in closed form, for every exponent: beside A and the phase c_eq, the amplitude
+    at omega_0, Q there of the decay and of the half-power width, where the amplitude is largest, and an estimate of the
+    error by the next harmonics.  The response itself, all digits proved, for every sum of losses where it turns once in
+    half a period and dry friction never holds it: `amplitude` its largest |x|; `x0` and `v0` at t = 0, where the force
+    is F; `phase`, by which its first harmonic lags behind the force, 0 to pi; the energy that a cycle takes, the
+    harmonics, and `difference`, what amplitude and phase are beyond first order.  Else `certified` is false, the notes
+    say why, and the first order is all there is.
 
     Without units m = k = 1; with --damping, --mass or --stiffness everything is in SI: F in N, W in rad/s, x in m.
 

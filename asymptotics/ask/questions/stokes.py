@@ -14,8 +14,8 @@ from asymptotics.present.inputs import csv_text
     Offers(
         latex="print the constants as LaTeX",
         picture="|c_k| and |d_k|",
-        table="k, c_k, d_k",
-        as_csv=lambda found, _: csv_text(["k", "c_k", "d_k"], found.rows()),
+        table="both constants of each k",
+        as_csv=lambda found, _: csv_text(found._page().head, found.rows()),
         lacks={"gauge": "the constants are the same in every gauge", "points": "`--count` says how many"},
     ),
     swept=True,

@@ -27,7 +27,8 @@ from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.decays.records.units import ANGLES, UNITS, seconds, suffix
 from asymptotics.equivalent.rows import OF_MOTION, row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.law import Oscillator, SpringLike
+from asymptotics.frames import BARE, Frame
+from asymptotics.law import PENDULUM, Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import double_of, exact_number
@@ -71,7 +72,7 @@ def law_of_table(
     """
     if (mass is None) != (stiffness is None):
         raise InputError("mass" if mass is None else "stiffness", "is missing", "both, or neither")
-    columns, quantity, notes = _read(table)
+    columns, quantity, notes, unit = _read(table)
     known = columns.get("resolution")
     if resolution is not None:
         if known is not None:
@@ -120,9 +121,11 @@ def law_of_table(
         found = tuple(replace(c, strengths=tuple(replace(e, low=nan, high=nan) for e in c.strengths)) for c in found)
     elif spread is None:
         notes += ("no resolutions: taken equal, as large as the best candidate needs, so none is refuted by chance",)
+    turning = spring == PENDULUM or unit in ANGLES
+    frame = BARE if mass is None else Frame("rad" if turning else "m", "s")
     off = None if driven else _neglected(problem, found[0], ends)
     relative = inf if spread is None and len(values) == 1 else float(np.median(s / zeta))
-    return DampingLaw(problem, found, len(given), ends, off, relative, mass is not None, (*notes, *skipped), used)
+    return DampingLaw(problem, found, len(given), ends, off, relative, frame, (*notes, *skipped), used)
 
 
 def _corrected(
@@ -169,8 +172,8 @@ def is_of_damping(names: Sequence[str]) -> bool:
     return "amplitude" in found.values() and (logarithmic or not {"zeta", "Q", "force"}.isdisjoint(found.values()))
 
 
-def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
-    """The columns by what they are, and which quantity there is."""
+def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...], str]:
+    """The columns by what they are, which quantity there is, what was done, and the unit of the amplitudes."""
     if isinstance(table, Mapping):
         named = {str(name): table[name] for name in table}
         places = {what: name for name in named if (what := _what(name)) is not None}
@@ -211,7 +214,7 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...]]:
     if UNITS.get(unit, 1.0) != 1.0:
         columns["amplitude"] = columns["amplitude"] * UNITS[unit]
         notes.append(f"amplitudes in {unit} taken as {'rad' if unit in ANGLES else 'm'}")
-    return columns, quantities[0], tuple(notes)
+    return columns, quantities[0], tuple(notes), unit
 
 
 def _in_plain_numbers(columns: dict[str, Any], names: Sequence[str]) -> list[str]:

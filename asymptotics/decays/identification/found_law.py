@@ -11,6 +11,7 @@ from asymptotics.decays.identification.forward.candidates import loss_in_words
 from asymptotics.decays.identification.inverse_damping import DampingCandidate, Problem, Strength
 from asymptotics.decays.identification.judging.grades import off
 from asymptotics.errors import require_choice
+from asymptotics.frames import Frame
 from asymptotics.present.percent import percent
 from asymptotics.present.shown import Page, Rows
 
@@ -22,7 +23,7 @@ _SHOWN = 4
 class DampingLaw(Rows):
     """``laws``: the candidates, best first; ``neglected``: what the first order lacks of the motion, relative, at most.
 
-    ``resolution``: of the values, relative, the median; ``si``: whether strengths are b in SI, else epsilon.
+    ``resolution``: of the values, relative, the median; ``frame``: strengths are b in its units, or epsilon.
     ``verdict`` says in words what the table tells and what not.  ``table``: the columns that were used, in m or rad.
     """
 
@@ -32,7 +33,7 @@ class DampingLaw(Rows):
     amplitudes: tuple[float, float]
     neglected: float | None
     resolution: float
-    si: bool
+    frame: Frame
     notes: tuple[str, ...] = field(default=(), compare=False)
     table: dict[str, list[float]] = field(default_factory=dict, compare=False)
 
@@ -65,10 +66,11 @@ class DampingLaw(Rows):
         return "; ".join([*parts, *([f"the table cannot tell {', nor '.join(unsaid)}"] if unsaid else [])])
 
     def _unit(self, s: Strength) -> str:
-        return {"0": " N", "1": " N s/m"}.get(s.alpha, f" N (s/m)^{s.alpha}") if self.si else ""
+        unit = self.frame.unit_of_loss(s.alpha)
+        return f" {unit}" if unit else ""
 
     def _shown(self, s: Strength) -> str:
-        letter = "b" if self.si else "epsilon"
+        letter = "b" if self.frame else "epsilon"
         ends = "" if isnan(s.low) else f" [{s.low:.4g}, {s.high:.4g}]"
         return f"{letter}_{s.alpha} = {s.estimate:.4g}{ends}{self._unit(s)}"
 
@@ -88,7 +90,7 @@ class DampingLaw(Rows):
         low, high = self.amplitudes
         return {
             "verdict": self.verdict, "quantity": self.problem.quantity, "points": self.points,
-            "amplitudes": [repr(low), repr(high)], "laws": laws, "si": self.si, "certified": False,
+            "amplitudes": [repr(low), repr(high)], "laws": laws, "si": bool(self.frame), "certified": False,
             "neglected": None if self.neglected is None else f"{self.neglected:.2g}", "notes": list(self.notes),
         }  # fmt: skip
 

@@ -17,7 +17,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from asymptotics.decays.identification.fitting.directions import Directions
-from asymptotics.decays.identification.fitting.least_squares import Model
+from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.forward.candidates import read_candidate
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.forward.quadrature import TooStrongError

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from asymptotics.decays.identification.fitting.correlation import block_length
-from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.fitting.profile import coordinate, wald_interval
 from asymptotics.decays.identification.fitting.waveform import WaveformModel

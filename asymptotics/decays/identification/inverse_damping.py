@@ -18,7 +18,10 @@ linear with a bound at 0, so that each point of a profile is one call of least s
     adequate     else, if what it leaves is at most a tenth of the loss (told in %),
     refuted      else.
 
-Without resolutions they are taken equal, as large as the best candidate needs: then nothing is refuted by chance alone.
+A law that is refuted by chi^2 has errors as large as its misfit: chi^2 per degree of freedom widens its intervals
+(Birge's ratio); those of a consistent one are of the resolutions.  Without resolutions they are taken equal, as large
+as the best candidate needs: then nothing is refuted by chance alone.  Such a resolution, of n degrees of freedom, is
+itself uncertain, so that the rise is the quantile of F with 1 and n, the square of Student's t.
 
 >>> A = [0.1, 0.2, 0.4, 0.8]
 >>> found = fitted(A, [0.012, 0.0141, 0.0178, 0.0261], [2e-4] * 4, Problem("zeta", (("1",), ("2",), ("1", "2"))))
@@ -35,7 +38,7 @@ from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq, nnls
-from scipy.stats import chi2
+from scipy.stats import chi2, f
 
 from asymptotics.decays.identification.between_amplitudes import means
 from asymptotics.decays.identification.judging.grades import grade_of, in_words, off
@@ -155,7 +158,8 @@ def fitted(
     The grade comes first, for a table may have as few rows as a law has strengths: AICc is then infinite.
     """
     zeta, s = weighted(amplitudes, values, resolution, problem)
-    made = [_candidate(problem, alphas, amplitudes, zeta, s) for alphas in problem.candidates]
+    rise = RISE if resolution is not None else _rise_of_scatter(_scatter(amplitudes, zeta, problem)[1])
+    made = [_candidate(problem, alphas, amplitudes, zeta, s, rise) for alphas in problem.candidates]
     order = ("consistent", "adequate", "refuted")
     return tuple(sorted(made, key=lambda c: (order.index(c.grade), bool(c.unneeded), c.criterion)))
 
@@ -166,23 +170,31 @@ def weighted(
     """zeta and its resolution; where none is given, all equal and as large as the best candidate needs."""
     known = np.ones(len(values)) if resolution is None else np.asarray(resolution, dtype=float)
     zeta, s = as_zeta(problem.quantity, np.asarray(values, dtype=float), known)
-    return zeta, np.full(len(zeta), _scatter(amplitudes, zeta, problem)) if resolution is None else s
+    return zeta, np.full(len(zeta), _scatter(amplitudes, zeta, problem)[0]) if resolution is None else s
 
 
-def _scatter(amplitudes: Any, zeta: Any, problem: Problem) -> float:
-    """The resolution that the best candidate needs to be just as far off as expected."""
+def _rise_of_scatter(free: int) -> float:
+    """The rise of chi^2 where the resolution is a scatter of so many degrees of freedom."""
+    return float(f.ppf(0.95, 1, free)) if free else RISE
+
+
+def _scatter(amplitudes: Any, zeta: Any, problem: Problem) -> tuple[float, int]:
+    """The resolution that the best candidate needs to be just as far off as expected, and its degrees of freedom."""
     found = []
     for alphas in problem.candidates:
         free = len(zeta) - len(alphas)
         # A law with as many strengths as there are rows leaves nothing, and knows no scatter.
         if free > 0:
             z = columns(problem, alphas, amplitudes, zeta)
-            found.append(nnls(z, zeta)[1] / np.sqrt(free))
+            found.append((float(nnls(z, zeta)[1] / np.sqrt(free)), free))
     # A table without scatter, such as one that was computed, still needs a weight that is not infinite.
-    return max(float(min(found, default=0.0)), 1e-12 * float(np.abs(zeta).max()))
+    least, free = min(found, default=(0.0, 0))
+    return max(least, 1e-12 * float(np.abs(zeta).max())), free
 
 
-def _candidate(problem: Problem, alphas: tuple[str, ...], amplitudes: Any, zeta: Any, s: Any) -> DampingCandidate:
+def _candidate(
+    problem: Problem, alphas: tuple[str, ...], amplitudes: Any, zeta: Any, s: Any, rise: float = RISE
+) -> DampingCandidate:
     z = columns(problem, alphas, amplitudes, zeta)
     b, root = nnls(z / s[:, None], zeta / s)
     square, n, count = float(root**2), len(zeta), len(alphas)
@@ -190,15 +202,15 @@ def _candidate(problem: Problem, alphas: tuple[str, ...], amplitudes: Any, zeta:
     p = float(chi2.sf(square, n - count)) if n > count else 1.0
     left = float(np.sqrt(np.mean(((zeta - z @ b) / zeta) ** 2)))
     grade = grade_of("consistent" if p > LEVEL else "refuted", left)
-    profile = [_interval(z / s[:, None], zeta / s, b, i, square) for i in range(count)]
+    # A law that does not fit has errors as large as its misfit; a good fit says nothing against the resolutions.
+    rise *= max(1.0, square / (n - count)) if p <= LEVEL else 1.0
+    profile = [_interval(z / s[:, None], zeta / s, b, i, square, rise) for i in range(count)]
     strengths = tuple(Strength(a, low, float(e), high) for a, e, (low, high) in zip(alphas, b, profile))
     return DampingCandidate("+".join(alphas), strengths, left, square, p, aicc(square, count, n), grade)
 
 
-def _interval(z: Any, y: Any, b: Any, i: int, least: float) -> tuple[float, float]:
-    """Where the profile of strength i has risen by 3.84; a misfit widens it by its own chi^2 per degree of freedom."""
-    # A law that does not fit has errors as large as its misfit (Birge's ratio); a good fit does not shorten them.
-    rise = RISE * max(1.0, least / max(len(y) - len(b), 1))
+def _interval(z: Any, y: Any, b: Any, i: int, least: float, rise: float) -> tuple[float, float]:
+    """Where the profile of strength i has risen so far from its least."""
     others = np.delete(z, i, axis=1)
 
     def above(value: float) -> float:

@@ -2,8 +2,12 @@
 
 import pytest
 
+from asymptotics.ask.questions._damping_law import damping_law
 from asymptotics.decays.identification.found_law import DampingLaw
 from asymptotics.decays.identification.inverse_damping import DampingCandidate, Problem, Strength
+from asymptotics.frames import BARE, Frame
+
+METRES = Frame("m", "s")
 
 
 def candidate(name, grade="consistent", low=0.01):
@@ -15,13 +19,13 @@ def candidate(name, grade="consistent", low=0.01):
     return DampingCandidate(name, strengths, 0.123, 1.0, 0.5, 1.0, grade)
 
 
-def law(*candidates, si=False):
-    return DampingLaw(Problem("zeta", ()), candidates, 8, (0.1, 0.8), 0.01, 0.02, si)
+def law(*candidates, frame=BARE):
+    return DampingLaw(Problem("zeta", ()), candidates, 8, (0.1, 0.8), 0.01, 0.02, frame)
 
 
-def unsaid(*candidates, si=False):
+def unsaid(*candidates, frame=BARE):
     """What the table cannot tell, as the verdict says it."""
-    _, _, found = law(*candidates, si=si).verdict.partition("the table cannot tell ")
+    _, _, found = law(*candidates, frame=frame).verdict.partition("the table cannot tell ")
     return found
 
 
@@ -58,22 +62,22 @@ def test_of_a_wider_law_the_terms_that_may_be_none_are_told_with_their_limits():
 
 @pytest.mark.parametrize(("alpha", "unit"), [("0", "N"), ("1", "N s/m"), ("2", "N (s/m)^2")])
 def test_strengths_in_si_have_their_units(alpha, unit):
-    found = law(candidate(alpha), si=True).verdict
+    found = law(candidate(alpha), frame=METRES).verdict
     assert found.endswith(f"b_{alpha} = {0.02 + int(alpha) / 100:.4g} [0.01, {0.04 + int(alpha) / 100:.4g}] {unit}")
-    assert unsaid(candidate("3"), candidate(f"3+{alpha}", low=0.0), si=True).endswith(f" {unit} from none")
+    assert unsaid(candidate("3"), candidate(f"3+{alpha}", low=0.0), frame=METRES).endswith(f" {unit} from none")
 
 
 def test_what_the_first_order_lacks_is_told_and_more_than_the_resolution_is_a_warning():
     fine, coarse = (
         law(candidate("1")),
-        DampingLaw(Problem("Q", ()), (candidate("1"),), 8, (0.1, 0.8), 0.03, 0.02, False),
+        DampingLaw(Problem("Q", ()), (candidate("1"),), 8, (0.1, 0.8), 0.03, 0.02, BARE),
     )
     assert "differs from it by at most 1 %" in str(fine) and "more than the resolution" not in str(fine)
     assert "by at most 3 %" in str(coarse) and "more than the resolution (2 %): the strengths are off" in str(coarse)
 
 
 def test_every_entry_of_the_json_and_every_row_of_the_table():
-    found = law(candidate("1+2", low=0.0), candidate("3", "refuted"), si=True)
+    found = law(candidate("1+2", low=0.0), candidate("3", "refuted"), frame=METRES)
     told = found.to_dict()
     assert told["laws"][0] == {
         "law": "1+2", "grade": "consistent", "told": "consistent", "left": "0.123", "p_value": "0.5",
@@ -99,3 +103,13 @@ def test_every_entry_of_the_json_and_every_row_of_the_table():
         ("3", "refuted", "b_3 = 0.05 [0.01, 0.07] N (s/m)^3"),
     )
     assert found.law("3") is found.laws[1] and found.best is found.laws[0]
+
+
+def test_the_strengths_behind_angles_are_torques():
+    """Failed before: b_1 of a pendulum in rad was told in N s/m, where ``damping`` of the same law says N m s."""
+    table = {"A [deg]": [5, 10, 20, 40], "zeta": [0.0120, 0.0141, 0.0178, 0.0261]}
+    for spring in (None, "pendulum"):
+        found = damping_law(table, laws=["1+2"], mass=2, stiffness=3, spring=spring)
+        assert " N m s, " in found.verdict and found.verdict.endswith("N m (s/rad)^2")
+    metres = damping_law({"A": [1, 2], "zeta": [0.01, 0.02]}, laws=["1"], mass=2, stiffness=3)
+    assert " N s/m" in metres.verdict and " N m s" not in metres.verdict

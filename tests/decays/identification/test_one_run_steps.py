@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asymptotics.decays.identification import identify as module
-from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
 from asymptotics.decays.identification.forward.work import ALL

@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from asymptotics.decays.identification.fitting.least_squares import Model
+from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.forward.swing import HalfSwingModel

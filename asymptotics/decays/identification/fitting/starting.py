@@ -11,7 +11,7 @@ linear in everything unknown.  Sums forgive noise where differences would not.
 
 import numpy as np
 
-from asymptotics.decays.identification.fitting.least_squares import Model
+from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.forward.coefficients import Array, swing_coefficients
 from asymptotics.decays.identification.forward.pendulum import PendulumHalfSwing, well
 from asymptotics.decays.identification.forward.quadrature import TooStrongError

@@ -12,7 +12,7 @@ law: the first amplitude, the base line (offset and drift), omega_0 and the star
 
 import numpy as np
 
-from asymptotics.decays.identification.fitting.least_squares import Model
+from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.forward.coefficients import Array, Element
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.forward.swing import HalfSwingModel

@@ -14,7 +14,8 @@ from collections.abc import Mapping
 import numpy as np
 from scipy.special import fdtrc
 
-from asymptotics.decays.identification.fitting.least_squares import Fit, Model, Noise
+from asymptotics.decays.identification.fitting.least_squares import Fit
+from asymptotics.decays.identification.fitting.model import Model, Noise
 from asymptotics.decays.identification.fitting.waveform import WaveformModel
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc, chosen

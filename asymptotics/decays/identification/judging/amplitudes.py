@@ -9,7 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from asymptotics.decays.identification.fitting.least_squares import Model, minimise
+from asymptotics.decays.identification.fitting.least_squares import minimise
+from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.fitting.profile import coordinate, wald_interval
 from asymptotics.decays.identification.forward.candidates import Candidate
 from asymptotics.decays.identification.forward.coefficients import Array

@@ -11,7 +11,8 @@ from functools import partial
 
 import numpy as np
 
-from asymptotics.decays.identification.fitting.least_squares import Fit, Noise
+from asymptotics.decays.identification.fitting.least_squares import Fit
+from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.forward.candidates import Candidate
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.forward.work import ALL, Work

@@ -15,6 +15,7 @@ import numpy as np
 from asymptotics.decays.identification.fitting.correlation import is_correlated, replicas, stretch
 from asymptotics.decays.identification.fitting.least_squares import Fit
 from asymptotics.decays.identification.fitting.profile import Interval, profile_interval, wald_interval
+from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.forward.work import ALL, Work
 from asymptotics.decays.identification.judging.adequacy import Levels, adequate
 from asymptotics.decays.identification.judging.contradiction import (
@@ -88,10 +89,23 @@ def outside(fit: Fit) -> str:
         # The smooth line may be wild too: the motion itself goes up and down by twice its amplitude.
         largest = min(largest, float(np.ptp(seen.samples.x)) / 2)
     size = model.amplitudes(fit.theta)[0][seen.n]
-    within, before = float(size[seen.inside].max()), float(size.max())
+    within, before = float((size * _shown(fit))[seen.inside].max()), float(size.max())
     if within <= _BEYOND * largest and before <= _BEFORE * largest:
         return ""
     return f"its amplitude, {before:.3g}, is far outside the data ({largest:.3g})"
+
+
+def _shown(fit: Fit) -> Array:
+    """The share of each amplitude that the nearest sample shows, a cosine: clipped peaks and peaks in gaps are told by
+    what is left of their swing, of which a third is asked for."""
+    seen = fit.model.seen
+    if seen.samples is None or seen.samples.derivative:
+        return np.ones(len(seen.n))
+    t, times = seen.samples.t, fit.model.turning_times(fit.theta)[seen.n]
+    after = np.clip(np.searchsorted(t, times), 1, len(t) - 1)
+    nearest = np.minimum(np.abs(t[after] - times), np.abs(t[after - 1] - times))
+    angle = np.pi * nearest / float(np.median(np.diff(times)))
+    return np.asarray(np.maximum(np.cos(np.minimum(angle, np.pi / 2)), 1 / _BEFORE))
 
 
 def _intervals(law: Fitted, stretches: tuple[float, ...], *, profiled: bool) -> Intervals:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from asymptotics.decays.identification.fitting.least_squares import Model
+from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.judging.laws import Fitted
 from asymptotics.decays.identification.judging.single_fits import fit_law

@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from asymptotics.decays.identification.fitting.least_squares import Fit, Model, Noise, fit
+from asymptotics.decays.identification.fitting.least_squares import Fit, fit
+from asymptotics.decays.identification.fitting.model import Model, Noise
 from asymptotics.decays.identification.fitting.printed import DecrementModel, Decrements, decrement_start
 from asymptotics.decays.identification.fitting.starting import starting_values
 from asymptotics.decays.identification.fitting.waveform import WaveformModel

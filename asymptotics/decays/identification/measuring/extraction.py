@@ -22,6 +22,7 @@ import numpy as np
 
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.defects import shape_notes, usable
+from asymptotics.decays.identification.measuring.late_extremes import DEGREE, Window
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.observations import Indices, Observations, Samples
 from asymptotics.decays.identification.measuring.quiet_times import quiet_times
@@ -35,7 +36,6 @@ _RECORD = RowPlaces("the record")
 _WINDOW, _WIDEST, _SAMPLES = 0.11, 0.26, 4.6
 """Half-width of a local fit, in periods: 0.7 rad, where a polynomial of degree 6 follows a cosine to 1e-7.  Where the
 samples are few it is nine of them, which the fit needs, up to a quarter of a period, where it follows to 1e-5."""
-_DEGREE = 6  # seven coefficients: nine samples are asked for
 _EXACT, _COARSE = 5e-5, 2e-4
 """What the narrowest and the widest local fit leave without noise, as shares of the amplitude and of 1/omega: measured
 with losses of exponents 0 to 3."""
@@ -108,7 +108,9 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: RowPlace
     else:
         notes.append(f"base line {base[0]:.4g} removed")
     chosen, discarded = _free_decay(found)
-    noisy = found.noise > _NOISY * abs(found.x[chosen[0]])
+    # Windows of nine samples for seven coefficients throw most of a sparse record away: noise that is seen is enough.
+    sparse = per_period < _SAMPLES / _WINDOW
+    noisy = found.noise > (_COARSE if sparse else _NOISY) * abs(found.x[chosen[0]])
     hard = per_period < _SPARSE or abs(found.x[chosen[-1]]) < _DEEP * found.noise
     # Of a few periods the smooth line has too little to begin with.
     if noisy and hard and (t[-1] - t[0]) / period > 4:
@@ -124,7 +126,9 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: RowPlace
         far = f"angles beyond {np.degrees(_FAR):.0f} degrees: all {free.sum()} samples fitted"
         error = np.full(len(seen.n), found.noise)
         return replace(seen, samples=samples, notes=(*seen.notes, far), sigma_x=error, sigma_t=error / seen.reference)
-    return replace(seen, floor=float(np.interp(_half_width(t, period) / period, (_WINDOW, _WIDEST), (_EXACT, _COARSE))))
+    half = _half_width(t, period)
+    floor = float(np.interp(half / period, (_WINDOW, _WIDEST), (_EXACT, _COARSE)))
+    return replace(seen, window=Window.of(t, seen.t, half, 2 * np.pi / period), floor=floor)
 
 
 def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: float) -> _Points:
@@ -139,8 +143,8 @@ def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: f
         low, high = np.searchsorted(t, [centre - half, centre + half])
         u = (t[low:high] - centre) / half
         # Two data to spare, and samples on both sides: an extreme is never extrapolated.
-        if len(u) >= _DEGREE + 3 and u[0] < -0.7 and u[-1] > 0.7:
-            V = np.vander(u, _DEGREE + 1, increasing=True)
+        if len(u) >= DEGREE + 3 and u[0] < -0.7 and u[-1] > 0.7:
+            V = np.vander(u, DEGREE + 1, increasing=True)
             values[place] = np.linalg.solve(V.T @ V, V.T @ x[low:high])[0]
     return replace(found, x=values)
 
@@ -191,28 +195,28 @@ def _moving_mean(x: Array, width: int) -> Array:
 
 def _local(t: Array, x: Array, centre: float, half: float, *, extreme: bool) -> tuple[float, ...] | None:
     """(time, value, d time/noise, d value/noise, noise) of an extreme or a root near ``centre``, or None."""
-    # The window is centred again on the extreme that was found, where its errors are least.
+    # The window is centred again on the extreme that was found, where its errors are least, to less than a sample.
     for attempt in range(3):
         low, high = np.searchsorted(t, [centre - half, centre + half])
         u, y = (t[low:high] - centre) / half, x[low:high]
         # As above, and no gap of more than a quarter of the window within it.
-        if len(u) < _DEGREE + 3 or u[0] > -0.7 or u[-1] < 0.7 or np.diff(u).max() > 0.5:
+        if len(u) < DEGREE + 3 or u[0] > -0.7 or u[-1] < 0.7 or np.diff(u).max() > 0.5:
             return None
-        V = np.vander(u, _DEGREE + 1, increasing=True)
+        V = np.vander(u, DEGREE + 1, increasing=True)
         inverse = np.linalg.inv(V.T @ V)  # of degree 6 on [-1, 1]: a condition of 1e6, and much sooner than an SVD
         c = inverse @ (V.T @ y)
         root = _newton(np.polynomial.Polynomial(c), extreme)
         if root is None:
             return None
-        if abs(root) < 0.05 or attempt == 2:
+        if abs(root) < 0.01 or attempt == 2:
             break
         centre += root * half
     assert root is not None
-    powers = root ** np.arange(_DEGREE + 1)
-    slopes = np.concatenate([[0.0], np.arange(1, _DEGREE + 1) * powers[:-1]])
-    curve = np.concatenate([[0.0, 0.0], np.arange(2, _DEGREE + 1) * np.arange(1, _DEGREE) * powers[:-2]])
+    powers = root ** np.arange(DEGREE + 1)
+    slopes = np.concatenate([[0.0], np.arange(1, DEGREE + 1) * powers[:-1]])
+    curve = np.concatenate([[0.0, 0.0], np.arange(2, DEGREE + 1) * np.arange(1, DEGREE) * powers[:-2]])
     r = y - V @ c
-    spread = float(np.sqrt((r**2).sum() / (len(u) - _DEGREE - 1)))
+    spread = float(np.sqrt((r**2).sum() / (len(u) - DEGREE - 1)))
     memory = _correlation_factor(r)
     toward, steepness = (slopes, curve @ c) if extreme else (powers, slopes @ c)
     # The error of a zero: that of the function (or its slope) over its own slope there.

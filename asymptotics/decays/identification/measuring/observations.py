@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.decays.identification.measuring.late_extremes import Window
 from asymptotics.numbers.alike import Alike
 
 Indices = NDArray[np.intp]
@@ -43,7 +44,8 @@ class Observations(Alike):
     on the way here; ``floor``: the error, as a share of the first amplitude and of 1/omega_0, that is there without
     noise too; ``samples``: the motion itself, where it is fitted and the turning points only start the fit;
     ``time_unit``: that of the file, in which a period is told (empty: s), while ``t`` is in s; ``stride``: how many
-    true half-swings one n of an envelope counts, and ``spacing`` the time between two (``ringdown``).
+    true half-swings one n of an envelope counts, and ``spacing`` the time between two (``ringdown``); ``window``: that
+    of the local fits which found the turning times, and find them late (None: measured otherwise).
     """
 
     n: Indices
@@ -62,6 +64,7 @@ class Observations(Alike):
     time_unit: str = ""
     stride: float = 1.0
     spacing: float | None = None
+    window: Window | None = None
 
     @classmethod
     def of(
@@ -173,7 +176,7 @@ class Observations(Alike):
             name=self.name,
             notes=(*self.notes, f"{len(chosen)} turning points with amplitudes from {low:.4g} to {high:.4g}"),
         )
-        return replace(found, stride=self.stride, spacing=self.spacing)
+        return replace(found, stride=self.stride, spacing=self.spacing, window=self.window)
 
     def without_times(self) -> "Observations":
         """The amplitudes alone."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.judging.allowance import WEAK, Allowance, allowances, told
 from asymptotics.decays.identification.judging.contradiction import REFUTED

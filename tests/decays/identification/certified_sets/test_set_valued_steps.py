@@ -10,7 +10,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.terms import Term
 
 TABLE = Decrements(np.array([1.0, 0.8]), np.array([0.10, 0.06]), np.array([0.005, 0.005]))
-PLUS, MINUS = np.array([0.05]), np.array([-0.05])
+PLUS, NONE, MINUS = np.array([0.05]), np.array([0.0]), np.array([-0.05])
 INSIDE = (np.array([-0.06]), np.array([0.06]))
 TOUCHING = (np.array([-0.06]), np.array([0.1]))
 PHYSICAL = (np.array([0.01]), np.array([0.3]))
@@ -43,6 +43,7 @@ def answer(monkeypatch, point, box, physical, **known):
         (MINUS, INSIDE, PHYSICAL, "consistent", 1),
         (MINUS, INSIDE, "none", "refuted", 1),
         (PLUS, INSIDE, "none", "consistent", 0),  # the point is the proof: nothing else is asked
+        (NONE, INSIDE, "none", "consistent", 0),  # no loss at all is >= 0 too
         (None, None, None, "undetermined", 1),
         (None, None, "none", "refuted", 1),
         (None, None, PHYSICAL, "undetermined", 1),
@@ -67,6 +68,7 @@ def test_the_intervals_are_those_of_the_box_that_holds_the_set(monkeypatch):
     assert ends(answer(monkeypatch, None, INSIDE, None)[0]) == [(-0.06, 0.0, 0.06)]  # the middle, and no point
     assert ends(answer(monkeypatch, PLUS, TOUCHING, PHYSICAL)[0]) == [(0.01, 0.05, 0.3)]
     assert ends(answer(monkeypatch, PLUS, TOUCHING, None)[0]) == [(None, 0.05, None)]  # it goes on, who knows how far
+    assert ends(answer(monkeypatch, NONE, TOUCHING, PHYSICAL)[0]) == [(0.01, 0.0, 0.3)]
     assert ends(answer(monkeypatch, MINUS, TOUCHING, PHYSICAL)[0]) == [(None, -0.05, None)]
 
 

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from asymptotics.decays.identification.fitting import least_squares
-from asymptotics.decays.identification.fitting.least_squares import Fit, Noise, fit, likely_scales, minimise
+from asymptotics.decays.identification.fitting.least_squares import Fit, fit, likely_scales, minimise
+from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 
 X = np.array([0.0, 1.0, 2.0, 3.0, 5.0, 8.0])

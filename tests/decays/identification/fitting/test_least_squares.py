@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from asymptotics.decays.identification.fitting.least_squares import Model
+from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.forward.candidates import read_candidate
 from asymptotics.decays.identification.forward.swing import HalfSwingModel
 from asymptotics.decays.identification.measuring.observations import Observations
@@ -84,3 +84,18 @@ def test_weights_within_a_kind_are_those_of_its_known_errors():
     assert sigma[model.groups[0]] == pytest.approx(2.0 * np.where(n < 4, 1.0, 3.0) / mean)
     assert (sigma[model.groups[1]] == 5.0).all() and (sigma[model.groups[2]] == 7.0).all() and len(sigma) == 26
     assert model.kinds == ["x", "t", "passage"]
+
+
+@pytest.mark.parametrize(("text", "unit"), [("1+2", ""), ("1+2+pendulum", "rad"), ("1+2+pendulum", "deg")])
+def test_the_derivatives_of_the_amplitudes_are_those_of_their_values(text, unit):
+    """Of a pendulum the angle grows faster than its coordinate 2 sin(x/2): at 120 degrees twice as fast."""
+    candidate, first = read_candidate(text), {"": 1.0, "rad": 2.0944, "deg": 120.0}[unit]
+    n = np.arange(12)
+    seen = Observations.of(n, first * (-0.9) ** n, 3.0 * n, unit=unit)
+    model = Model(HalfSwingModel(candidate.elements, candidate.free), seen, pendulum=candidate.pendulum)
+    law = np.array([-0.01, 0.05, 0.04])
+    theta = np.array([*law, 0.0, 0.0, 0.0])
+    found = model.amplitudes(theta)[1]
+    for i, step in enumerate(np.eye(len(theta))[: len(law)] * 1e-5):
+        higher, lower = (model.amplitudes(theta + sign * step)[0] for sign in (1, -1))
+        assert found[i] == pytest.approx((higher - lower) / 2e-5, rel=1e-5, abs=1e-7 * first)

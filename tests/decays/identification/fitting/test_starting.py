@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asymptotics.decays.identification.fitting.directions import Directions
-from asymptotics.decays.identification.fitting.least_squares import Model
+from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.fitting.printed import DecrementModel, Decrements, decrement_start
 from asymptotics.decays.identification.fitting.starting import _reachable, rest_position, starting_values
 from asymptotics.decays.identification.forward.candidates import read_candidate

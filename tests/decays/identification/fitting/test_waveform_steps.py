@@ -1,5 +1,6 @@
 """A half-swing node by node: the speed is the slope of the place, the acceleration that of the law."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -9,6 +10,7 @@ from asymptotics.decays.identification.fitting.waveform import _STEP, WaveformMo
 from asymptotics.decays.identification.forward.candidates import read_candidate
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.forward.swing import HalfSwingModel
+from asymptotics.decays.identification.measuring.observations import Observations, Samples
 
 A = np.log([1.0, 0.6])
 LAWS = [("1", [0.1]), ("2", [0.1]), ("1+2", [0.05, 0.05]), ("3", [0.1]), ("1,2:", [0.1]), ("1+s3", [0.05, 0.2])]
@@ -130,3 +132,13 @@ def test_innovations_are_white_and_of_one_size():
     assert both == pytest.approx(np.column_stack([left, 2 * left]))
     model.samples.memory = 0
     assert WaveformModel._white(model, values) is values
+
+
+def test_the_memory_over_a_gap_is_that_of_a_process_in_continuous_time():
+    """Over two usual gaps the square, over half of one the root: after a longer gap less is remembered."""
+    gaps = 0.3 * np.array([1.0, 1.0, 2.0, 0.5, 1.0, 4.0, 1.0])
+    n, t = np.arange(4), np.concatenate([[0.0], np.cumsum(gaps)])
+    samples = Samples(t, np.cos(t), 1e-3, 10.0, memory=0.64)
+    seen = replace(Observations.of(n, (-0.9) ** n, np.pi * n), samples=samples)
+    found = WaveformModel(HalfSwingModel(read_candidate("1").elements, False), seen)._rho
+    assert found == pytest.approx([0.64, 0.64, 0.4096, 0.8, 0.64, 0.16777216, 0.64])

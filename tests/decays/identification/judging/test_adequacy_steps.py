@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.stats import f
 
-from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.judging import adequacy
 from asymptotics.decays.identification.judging.adequacy import adequate, noise_levels, smooth_noise, strongest_line
 

@@ -30,7 +30,8 @@ def motion(x, sizes, *, n=None, samples=None, alternating=True, rest=0.0, inside
     inside = np.ones(len(x), dtype=bool) if inside is None else np.array(inside)
     seen = SimpleNamespace(n=n, x=np.array(x), samples=samples, inside=inside)
     amplitudes = lambda theta: (np.array(sizes) * theta, None)  # noqa: E731
-    model = SimpleNamespace(alternating=alternating, seen=seen, amplitudes=amplitudes)
+    times = lambda theta: np.arange(len(sizes)) * 1.0  # noqa: E731
+    model = SimpleNamespace(alternating=alternating, seen=seen, amplitudes=amplitudes, turning_times=times)
     return SimpleNamespace(model=model, theta=1.0, rest=rest)
 
 
@@ -64,6 +65,18 @@ def test_samples_tell_how_far_the_data_reach_unless_they_are_of_a_velocity():
     velocity = Samples(t, x, 1.0, 1.0, derivative=1)
     assert judgement.outside(motion([1.0, -0.8], [1.6, 1.0], samples=velocity)).endswith("outside the data (1)")
     assert judgement.outside(motion([1.0, -0.8], [1.4, 1.0], samples=velocity)) == ""
+
+
+def test_a_peak_that_was_clipped_or_lies_in_a_gap_is_told_by_the_rest_of_its_swing():
+    """The nearest sample, 0.3 half-swings from the turning point, shows cos(0.3 pi) = 0.59 of the amplitude."""
+    clipped = Samples(np.array([-0.3, 0.3, 0.7, 1.3]), np.array([0.5, 0.5, -0.5, -0.5]), 1.0, 1.0)
+    seen = 0.75 / np.cos(0.3 * np.pi)
+    assert judgement.outside(motion([2.0, -2.0], [0.99 * seen, 0.8], samples=clipped)) == ""
+    assert "far outside" in judgement.outside(motion([2.0, -2.0], [1.01 * seen, 0.8], samples=clipped))
+    # Where no sample is near a third of the amplitude is asked for, so that a wild line in a gap is no motion.
+    gap = Samples(np.array([-0.49, 0.5, 0.6, 1.0]), np.array([0.5, -0.5, -0.5, -0.5]), 1.0, 1.0)
+    assert judgement.outside(motion([9.0, -0.8], [0.74 * 3 / 2, 0.4], samples=gap)) == ""
+    assert "far outside" in judgement.outside(motion([9.0, -0.8], [0.76 * 3, 0.4], samples=gap))
 
 
 @pytest.fixture

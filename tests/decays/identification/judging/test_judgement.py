@@ -25,7 +25,7 @@ def test_a_term_that_is_not_needed_does_not_refute_the_law():
     assert answer.law("1+2").to_dict()["unneeded"] == ["2"]
     assert answer.law("1").to_dict()["unneeded"] == []
     assert "a free exponent" in answer.law("free").law.reason
-    wrong = [e.law for e in answer.laws if e.law.terms == 1 and str(e.law.candidate) in "023"]
+    wrong = [e.law for e in answer.laws if e.law.fitted.terms == 1 and str(e.law.candidate) in "023"]
     assert {law.verdict for law in wrong} == {"refuted"}
     assert all(law.evidence.against.p < REFUTED and "explains the data better" in law.reason for law in wrong)
 

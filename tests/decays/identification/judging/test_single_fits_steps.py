@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
 from asymptotics.decays.identification.forward.quadrature import TooStrongError

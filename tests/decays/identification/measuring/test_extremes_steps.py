@@ -72,11 +72,11 @@ def points(t, passages=()):
 
 
 def test_numbers_go_by_the_clock_and_passages_stand_between_their_extremes():
-    found = points([1.0, 2.0, 3.0, 6.0, 7.0, 8.0], [0.5, 1.5, 2.5, 3.5, 6.5, 7.5, 8.5])
+    found = points([1.0, 2.0, 3.0, 6.0, 7.0, 8.0], [1.5, 2.0, 2.5, 3.5, 6.5, 7.5, 8.0, 8.5])
     seen = _assembled(found, np.arange(1, 6), "mm", "name", ["a note"])
     assert seen.n.tolist() == [0, 1, 4, 5, 6] and seen.t.tolist() == [2.0, 3.0, 6.0, 7.0, 8.0]
     assert np.array_equal(seen.x, found.x[1:]) and (seen.unit, seen.name, seen.notes) == ("mm", "name", ("a note",))
-    # 0.5, 1.5 and 8.5 lie outside; the number of 3.5, across the gap, is not known.
+    # 1.5 and 8.5 lie outside, 2.0 and 8.0 at the ends; the number of 3.5, across the gap, is not known.
     assert seen.passage_n.tolist() == [0, 4, 5] and seen.passage_t.tolist() == [2.5, 6.5, 7.5]
     assert seen.sigma_passage == pytest.approx([3e-4, 5e-4, 6e-4])
     assert np.array_equal(seen.sigma_x, found.sigma_x[1:]) and np.array_equal(seen.sigma_t, found.sigma_t[1:])

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from asymptotics.decays.identification.measuring import main_frequency as frequency
+from asymptotics.decays.identification.measuring import quiet_times as quiet
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period, main_frequency
 from asymptotics.decays.identification.measuring.quiet_times import _fitted, _smooth_size, quiet_times
 
@@ -100,11 +101,13 @@ def test_where_the_curve_misses_its_neighbourhood_the_times_stay():
     assert quiet_times(one, x, sigma, passages, steps)[15] == pytest.approx(true[15], abs=1e-3)
 
 
-def test_passages_outside_the_extremes_do_not_count():
+@pytest.mark.parametrize("beyond", [1.0, 0.0])
+def test_passages_outside_the_extremes_or_at_their_ends_do_not_count(monkeypatch, beyond):
     t, x, sigma, passages, steps, _ = record()
-    inside = quiet_times(t, x, sigma, passages, steps)
-    more = quiet_times(t, x, sigma, np.concatenate([[t[0] - 1.0], passages, [t[-1] + 1.0]]), steps)
-    assert np.array_equal(inside, more)
+    inside, fitted, counts = quiet_times(t, x, sigma, passages, steps), quiet._fitted, set()
+    monkeypatch.setattr(quiet, "_fitted", lambda *given: (counts.add(len(given[3])), fitted(*given))[1])
+    more = quiet_times(t, x, sigma, np.concatenate([[t[0] - beyond], passages, [t[-1] + beyond]]), steps)
+    assert np.array_equal(inside, more) and counts == {len(t) + len(passages)}
 
 
 # The frequency of the motion.

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from asymptotics.decays.identification.fitting.least_squares import Noise
+from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
 from asymptotics.decays.identification.judging.laws import UNTRIED
 from asymptotics.decays.identification.judging.single_fits import fit_law
