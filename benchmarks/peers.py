@@ -24,6 +24,12 @@ from asymptotics.errors import InputError
 PYTHON = Path(__file__).parents[1] / ".peers" / "bin" / "python"
 """The environment that is asked; ``none`` leaves it out."""
 TIMEOUT = 60
+IN_PAGES = {
+    "kafe2": ("2.11.0", ("docs/theory/identifiability.md", "docs/tutorials/phone.md", "docs/tutorials/ship.md")),
+    "rolldecay-estimators": ("0.6.0", ("docs/theory/identifiability.md", "docs/tutorials/ship.md")),
+}
+"""Peers that no benchmark asks: their numbers in pages were found by hand, in the environment of the lock, with these
+versions."""
 _NOWHERE = Path("no peers")
 _WAYS = "`make benchmarks`, which installs them, or --no-peers"
 CLOCK = """

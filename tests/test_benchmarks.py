@@ -84,13 +84,22 @@ def test_a_peer_that_is_wanted_and_missing_ends_the_run(capsys, monkeypatch):
 
 
 def test_the_peers_that_are_asked_are_those_of_the_lock():
-    """Each module that asks a peer names it, and the lock installs these and no others."""
+    """Each module that asks a peer names it; the lock installs these, those of which pages have numbers, no others."""
     asking = {name: import_module(f"benchmarks.{name}") for name in BENCHMARKS.values()}
     for name, module in asking.items():
         assert hasattr(module, "ask") == hasattr(module, "PEERS"), name
     lines = (Path(__file__).parents[1] / "requirements/peers.in").read_text().splitlines()
     locked = {re.split("[<>=]", line)[0] for line in lines if not line.startswith("#")}
-    assert {peer for module in asking.values() for peer in getattr(module, "PEERS", ())} == locked
+    asked = {peer for module in asking.values() for peer in getattr(module, "PEERS", ())}
+    assert asked | set(peers.IN_PAGES) == locked and not asked & set(peers.IN_PAGES)
+
+
+def test_the_peers_of_which_pages_have_numbers_stand_there_and_in_the_lock_with_their_versions():
+    root = Path(__file__).parents[1]
+    lock = (root / "requirements/peers.txt").read_text()
+    for name, (version, pages) in peers.IN_PAGES.items():
+        assert f"\n{name}=={version} " in lock
+        assert pages and all(f"{name} {version}" in (root / page).read_text(encoding="utf-8") for page in pages)
 
 
 def test_every_benchmark_has_a_quick_size(capsys):

@@ -17,6 +17,7 @@ from asymptotics.numbers.context import ctx
 # bound rests on the value.
 _LEAST = 1e-300
 _AS_CHEAP = 128  # bits
+_SMALL, _LARGE = 1e-300, 1e300  # where a double has all its bits
 
 
 def in_doubles(exponents: Iterable[arb]) -> tuple[float, ...]:
@@ -29,7 +30,11 @@ def in_doubles(exponents: Iterable[arb]) -> tuple[float, ...]:
 
 def size_of(x: arb) -> float:
     """log2 |midpoint|, also far outside the range of doubles; -inf for 0."""
-    # The mantissa is a whole number of any length, whose logarithm Python takes without going through a double.
+    # The midpoint as a double, where it has one; elsewhere the mantissa is a whole number of any length: its
+    # logarithm Python takes without a double.
+    near = abs(float(x))
+    if _SMALL < near < _LARGE:
+        return log2(near)
     mantissa, exponent = x.mid().man_exp()
     return log2(abs(int(mantissa))) + int(exponent) if mantissa != 0 else float("-inf")
 

@@ -32,7 +32,7 @@ rows of ``linear_spring``, took 1.6 times as long for the exponent 2, 2.2 to 2.8
 """
 
 from collections.abc import Generator, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Protocol
 
@@ -131,6 +131,10 @@ class CertifiedFlow:
     def along_slow_curve(self, _here: FlowState, _ended: str | None) -> Generator["Piece", None, FlowState | None]:
         """Pieces other than Taylor steps, beside a slow curve; what comes back is the state at their end, if any."""
         yield from ()
+        return None
+
+    def read_off(self, _u: arb, _first: "DeparturePiece", _given: arb) -> "Piece | None":
+        """The next piece after the departure from rest at u, if it is known without steps; it may begin earlier."""
         return None
 
     def exact(self, _n: int) -> tuple[Fraction, bool] | None:
@@ -259,17 +263,16 @@ def half_swing_pieces(
     if closed is not None:
         yield closed
         return
-    # The orbit from the exact start has no error yet.  One unit of places serves the half-swing: distances are
-    # comparable.
+    # The orbit from the exact start has no error yet.  One unit of places for all of it, so that distances compare.
     here, unit = FlowState(arb(0), u, w, CarriedErrors(arb(0), error)), flow.unit(u, w)
     scale, left = upper(unit * abs(u) + w), 0
     # The powers of w have no Taylor series in the time at rest.  A creep from rest is caught first, and never expanded.
     if w == 0:
         yield from flow.along_slow_curve(here, _ended(flow, unit, here))
         first = _departure(flow, unit, here)
-        yield first
-        reach = first.expansion.reach
-        here = _after(first, first.expansion.state(reach)[0], reach)
+        known, reach = flow.read_off(u, first, error), first.expansion.reach
+        yield from (first,) if known is None else (replace(first, end=known.begin), known)
+        here = after(*((known, *known.own(known.end)) if known else (first, first.expansion.state(reach)[0], reach)))
     ended: str | None = None
     for count in range(pieces):
         tick(f"piece {count} of {'a half-swing' if ended in (None, ESCAPES, ROTATES) else _BY_STEPS}")
@@ -291,7 +294,7 @@ def half_swing_pieces(
         if left > MAX_BEYOND:
             break
         # From midpoints, whose distance from the enclosure is added: no ball is carried on, so nothing wraps.
-        here = _at_a_kink(_after(step, *step.taylor.state(step.taylor.length)), step, scale)
+        here = _at_a_kink(after(step, *step.taylor.state(step.taylor.length)), step, scale)
     where = "the motion is too stiff, leaves its well or is too near a separatrix"
     reason = f"one half-swing takes more than {pieces} pieces: {where}"
     raise LimitError("time", reason, "weaker damping, another start or strength, or a shorter time")
@@ -315,7 +318,7 @@ def _require_room(flow: CertifiedFlow, unit: arb, here: FlowState, count: int, s
         raise UndecidedError(f"whether the motion turns or creeps home is undecided {where}")
 
 
-def _after(piece: Piece, place: arb, w: arb) -> FlowState:
+def after(piece: Piece, place: arb, w: arb) -> FlowState:
     """The next exact state: midpoints, and what they drop."""
     u = piece.flow.back(place)
     return FlowState(piece.end, u.mid(), w.mid(), piece.errors.plus(upper(upper(piece.unit * u.rad()) + w.rad())))
@@ -342,8 +345,7 @@ def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> DeparturePiec
     if force.kinked and not end > 0:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")
     factor = growth(force, unit, place.union(end), arb(0).union(expansion.reach), tau, here.errors.error)
-    # The piece ends at the exact time tau.mid(), up to which the speed ``reach`` is off by tau.rad() at the rate
-    # ``speed``.
+    # It ends at the exact time tau.mid(), up to which the speed ``reach`` is off by tau.rad() at the rate ``speed``.
     errors = here.errors.times(factor).plus(upper(tau.rad() * expansion.speed(unit)))
     return DeparturePiece(flow, unit, arb(0), tau.mid(), errors, None, expansion)
 

@@ -56,7 +56,7 @@ from asymptotics.numbers.precision import TooWideError, at_growing_precision
 from asymptotics.return_map.half_swing_map import INTEGRATED
 from asymptotics.return_map.half_swing_map import ROUTE as INTERPOLATED
 from asymptotics.return_map.panels import panels_of
-from asymptotics.return_map.sequence import Interpolated
+from asymptotics.return_map.sequence import Interpolated, swings_within
 from asymptotics.running.budget import DEFAULT_SECONDS, budget, require_seconds
 from asymptotics.running.cut_short import changed
 
@@ -206,7 +206,8 @@ def _states(oscillator: Oscillator, times: Sequence[ExactReal], bits: int) -> li
             stops = rational_stops(oscillator.dimensionless.terms, unit) if oscillator.v0.is_zero else ()
             found = states(EvenWell(acting, stops), X, V, ascending)
         else:
-            found = states(Interpolated(acting, panels_of(oscillator.dimensionless, bits)), X, V, ascending)
+            panels = panels_of(oscillator.dimensionless, bits)
+            found = states(Interpolated(acting, panels, within=swings_within(ascending)), X, V, ascending)
     placed = scaled(found)
     return [placed[i] for i in range(len(times))]
 

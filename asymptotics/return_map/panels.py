@@ -21,7 +21,7 @@ turning point exists.
 
 from collections import deque
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from flint import arb
 
@@ -32,6 +32,7 @@ from asymptotics.law import Law
 from asymptotics.numbers.context import ctx, inside, lru_cache
 from asymptotics.return_map.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.return_map.coordinate import Coordinate
+from asymptotics.return_map.course import Course
 from asymptotics.return_map.half_swing_map import INTEGRATED, ROUTE, HalfSwingBalls, integrated
 from asymptotics.return_map.panel_plan import (
     Ellipse,
@@ -48,6 +49,9 @@ from asymptotics.return_map.panel_plan import (
 from asymptotics.return_map.ray import Ray, ray_of
 from asymptotics.running.budget import tick
 
+if TYPE_CHECKING:
+    from asymptotics.return_map.courses import Courses
+
 COLLOCATED = "quarter-swings by collocation"
 # Bits for the nodes and coefficients beyond the panel's, and of the panel beyond those asked for: a value read off it
 # must not be the weakest link.
@@ -55,6 +59,8 @@ _GUARD, _SLACK = 32, 8
 _BLOCK = 8  # bits: requests of some more or fewer digits and points share a map
 # The averaged path may be wrong for strong laws; a plan whose time is over without its amplitude is replaced, at the
 # cost of a new plan.
+_COURSES = 40  # half-swings from which on courses are laid out: they cost about 15 half-swings by pieces
+_FARTHER = 1 + arb(2) ** -10  # than the place for which courses are made
 _AGAIN = 8  # half-swings after which a plan that does not come true is made anew
 _MAPS, _LAWS, _PANELS = 32, 64, 64  # kept: maps, views of laws, panels of one map, the latest of each
 
@@ -113,6 +119,8 @@ class ReturnMap:
         self.quartered = self.coordinate.is_quartered
         self.missed: dict[PanelPlan, int] = {}
         self.refused: set[PanelPlan] = set()
+        self.courses: Courses | None = None
+        self.too_far: arb | None = None  # a place from which on no courses are had
         self.planned_for: tuple[float, int] = (0.0, 0)
         self.plan: PanelPlan | None = None
 
@@ -146,6 +154,24 @@ class ReturnMap:
             self.refused.add(plan)
             self.plan, self.quartered = None, False
             return None
+
+    @inside
+    def courses_to(self, z: arb) -> "Courses | None":
+        """Those of all half-swings from places up to z, where one set of quarters serves; they are made once."""
+        if not (self.coordinate.is_odd and self.coordinate.from_zero and self.quartered):
+            return None
+        if self.too_far is not None and not z < self.too_far:
+            return None
+        if self.courses is None or not z <= self.courses.last:
+            from asymptotics.return_map.courses import Courses  # noqa: PLC0415 (NumPy, only where it pays)
+
+            try:
+                self.courses = Courses.up_to(self.coordinate, (z * _FARTHER).mid(), self.bits)
+            except (LimitError, UndecidedError):
+                tick()  # where the time is over, the place is not to blame
+                self.too_far = (z / 2).mid()  # a choice: nearer to 0 it is tried again
+                return None
+        return self.courses
 
     def _from_zero(self, z: arb, remaining: int) -> PanelPlan | None:
         """The interval that holds z, if the half-swings that it would have served and will serve repay it."""
@@ -203,7 +229,8 @@ class Panels:
     def __init__(self, law: Law, kept: ReturnMap | None) -> None:
         self.map = kept
         with ctx.workprec((0 if kept is None else kept.bits) + _GUARD):
-            self.sizes = Damping.of_law(law).sizes
+            self.damping = Damping.of_law(law)
+            self.sizes = self.damping.sizes
             # z at A in the unit of the ray is z(A) times this factor, or plus it.
             self.unit = arb(1) if kept is None else kept.coordinate.unit(ray_of(law)[1]())
 
@@ -237,6 +264,18 @@ class Panels:
             return panel.half_swing(wide if error == 0 else self.place(p), wide)
         except UndecidedError:  # an amplitude so uncertain that it may end outside: the pieces may tell
             return None
+
+    def course(self, p: arb, within: int) -> Course | None:
+        """The motion from rest at the exact amplitude p; ``within``: of about how many half-swings it will be asked."""
+        if self.map is None or within < _COURSES or (root := self.map.coordinate.root) is None:
+            return None
+        z = self.place(p)
+        courses = self.map.courses_to(z)
+        found = None if courses is None else self.half_swing(p, arb(0), within)
+        if courses is None or found is None or found.amplitude is None or found.duration is None:
+            return None
+        quarters = courses.quarter(z), courses.quarter(-z * found.amplitude**root)
+        return Course.of(*quarters, p, p * found.amplitude, found.duration, self.damping.resistance(p))
 
     def place(self, p: arb) -> arb:
         """z at an amplitude > 0 of this law, in the unit of the ray."""

@@ -39,31 +39,26 @@ Derivation ``quarter-collocation``.
 ('[0.06721722457 +/- ...]', '[1.537860788 +/- ...]')
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
 
 import numpy as np
 from flint import arb, arb_mat, arb_poly, fmpq
 
-from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.linear_spring.expansion import TurningExpansion, plan_at
-from asymptotics.flow.linear_spring.kept_terms import MAX_KEYS
-from asymptotics.numbers.context import cached_property, ctx
+from asymptotics.numbers.context import ctx
 from asymptotics.return_map.chebyshev import cut, nodes
-from asymptotics.return_map.quarters_in_doubles import Array, QuarterInDoubles, corrected
+from asymptotics.return_map.hand_overs import Bundle, doubles, largest
+from asymptotics.return_map.quarters_in_doubles import Array, corrected
 from asymptotics.return_map.spectral import analysis, integrals, of_the_integral
 from asymptotics.running.budget import tick
 
-# A power of two more of the speed shortens the interval of z by ln 2, which saves a few nodes, and costs terms of the
-# expansion.
-HAND_OVERS = (2.0**-3, 2.0**-5, 2.0**-7, 2.0**-9)
-"""Speeds, in units of the amplitude, up to which the local expansion serves: the first that takes few terms."""
 # Bits of the matrices beyond the answer's, and of the bounds.
 _WORK, _LOW = 24, 53
-_FEWEST = 30  # bits: fewer would not keep G near
+FEWEST = 30  # bits: fewer would not keep G near
 # 53 less a few that rounding in long sums takes; a smaller gain costs rounds, and a larger one would not be reached.
 _GAIN = 50  # bits that a correction in doubles brings
 _MOST = 500  # nodes: their matrices have 10^5 entries
@@ -89,7 +84,7 @@ def quarter_swings(laws: Sequence[tuple[Damping, int]], bits: int) -> list[Quart
 
     UndecidedError where no enclosure is found.
     """
-    bits = max(bits, _FEWEST)
+    bits = max(bits, FEWEST)
     with ctx.workprec(bits + _WORK):
         bundle = Bundle.of(laws)
         count, rim = bundle.in_doubles.planned(bits)
@@ -98,71 +93,6 @@ def quarter_swings(laws: Sequence[tuple[Damping, int]], bits: int) -> list[Quart
         grid = NodeGrid.of(bundle, count)
         path = Path.along(grid, found(grid, bits))
         return path.enclosed(rim)
-
-
-@dataclass(frozen=True)
-class Bundle:
-    """Orbits at their hand-over, by columns: ``strengths`` signed, h and g_0 exact, ``times`` since the turning point.
-
-    ``dz`` and ``dg``: how far z_0 and g_0 are from the truth at most.
-    """
-
-    alphas: tuple[arb, ...]
-    strengths: tuple[tuple[arb, ...], ...]
-    h: tuple[arb, ...]
-    g0: tuple[arb, ...]
-    times: tuple[arb, ...]
-    dz: arb
-    dg: arb
-
-    @classmethod
-    def of(cls, laws: Sequence[tuple[Damping, int]]) -> "Bundle":
-        """From the local expansions; ValueError for laws with different exponents."""
-        if any(law.alphas != laws[0][0].alphas for law, _ in laws):
-            raise ValueError("quarter-swings of laws with different exponents")
-        w, columns = _hand_over(laws), []
-        for law, side in laws:
-            tick("the start of a quarter-swing")
-            # Backwards in time the quarter is the mirrored end of a half-swing: y_0 = -1 - friction, tau <= 0 (P_0 <
-            # 0).
-            y, tau = TurningExpansion.at(law, side - law.friction, w).state(w)
-            u = side * (y + law.friction)
-            if not u > 0:
-                raise UndecidedError("the local expansion does not reach the hand-over")
-            r = (u * u + w * w).sqrt()
-            # h = -z_0/2 with tan(theta/2) = w/(r + u).
-            columns.append((((r + u) / w).log() / 2, r.log(), side * tau))
-        h, g0, times = (tuple(column) for column in zip(*columns))
-        # In polar coordinates about X = 0 dry friction is a term of exponent 0 like any other.
-        rubs = any(law.friction != 0 for law, _ in laws)
-        alphas = (*laws[0][0].exponents, *([arb(0)] if rubs else []))
-        strengths = (tuple(side * e for e in (*law.strengths, *([law.friction] if rubs else []))) for law, side in laws)
-        dh, dg = (largest(x.rad() for x in column) for column in (h, g0))
-        # Exact ends for the collocation; how far the true hand-over is from them is carried as dz and dg.
-        exact_h, exact_g0 = (tuple(x.mid() for x in column) for column in (h, g0))
-        return cls(alphas, tuple(strengths), exact_h, exact_g0, times, upper(2 * dh), dg)
-
-    @cached_property
-    def in_doubles(self) -> QuarterInDoubles:
-        """The same orbits in doubles, for a first solution."""
-        columns = zip(*self.strengths)
-        return QuarterInDoubles(doubles([self.alphas])[0], doubles(columns), *doubles([self.h, self.g0]))
-
-
-def _hand_over(laws: Sequence[tuple[Damping, int]]) -> arb:
-    """The largest speed at which no expansion takes more terms than one does without a given speed: a choice."""
-    for w in map(arb, HAND_OVERS):
-        try:
-            if all(plan_at(law, side - law.friction, w).count <= MAX_KEYS for law, side in laws):
-                return w
-        except LimitError:
-            continue
-    return arb(HAND_OVERS[0])
-
-
-def doubles(rows: Iterable[Iterable[arb]]) -> Array:
-    """The midpoints of the balls in rows."""
-    return np.array([[float(x.mid()) for x in row] for row in rows])
 
 
 @dataclass(frozen=True)
@@ -260,6 +190,7 @@ class Path:
     differs: arb
     loads: tuple[arb, ...]
     sizes: arb_poly
+    kept: Rows
 
     @classmethod
     def along(cls, grid: NodeGrid, rates: arb_mat) -> "Path":
@@ -289,7 +220,7 @@ class Path:
             ]
             sizes = [none, *map(largest, zip(*columns))]
             differs = upper(arb(2 * m - 1).sqrt() * apart + lacking)
-        return cls(grid, tuple(ends), grid.slowness(slopes), differs, tuple(loads), arb_poly(sizes))
+        return cls(grid, tuple(ends), grid.slowness(slopes), differs, tuple(loads), arb_poly(sizes), kept)
 
     def drags(self, B: arb) -> list[arb]:
         """Bounds of |delta_i e^((alpha_i-1) g)| where |g - gamma| <= B."""
@@ -323,8 +254,11 @@ class Path:
             return None
         return upper(h * fast / (1 - kappa)), upper(h * slow / (1 - kappa))
 
-    def enclosed(self, rim: float) -> list[Quarter]:
-        """With the largest ellipse up to R = ``rim`` on which M and N are proved."""
+    def errors(self, rim: float) -> tuple[arb, arb]:
+        """How far g and the time are from G and the integral of ``slowness`` at most, at any t.
+
+        With the largest ellipse up to R = ``rim`` on which M and N are proved.
+        """
         bundle, m = self.grid.bundle, self.grid.count
         with ctx.workprec(_LOW):
             # From the planned ellipse inwards: the first that is proved is the largest, and the cut is smallest on it.
@@ -349,16 +283,15 @@ class Path:
         # So the truth never leaves the strip in which K was taken, by continuity.
         if not apart < _NEAR:
             raise UndecidedError("the quarter-swings are not enclosed")
+        return apart, late
+
+    def enclosed(self, rim: float) -> list[Quarter]:
+        """The ends of the quarter-swings; ``rim`` as of ``errors``."""
+        (apart, late), bundle, m = self.errors(rim), self.grid.bundle, self.grid.count
         weights = arb_mat([integrals(m, ctx.prec).table()[m]]) * analysis(m, ctx.prec)
         durations = (weights * arb_mat(self.slowness)).table()[0]
         rows = zip(self.ends, bundle.times, durations)
         return [Quarter(end + arb(0, apart), first + rest + arb(0, late)) for end, first, rest in rows]
-
-
-def largest(values: Iterable[arb]) -> arb:
-    """An upper bound of all absolute values."""
-    with ctx.workprec(_LOW):
-        return reduce(arb.max, (abs(x).upper() for x in values))
 
 
 def peak(alpha: arb) -> arb:

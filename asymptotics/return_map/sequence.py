@@ -14,25 +14,32 @@
 ['[-0.673493180351 +/- ...]', '[0.543067542755 +/- ...]', '[-0.467642206192 +/- ...]']
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from flint import arb
 
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
-from asymptotics.flow.error_propagation import contraction_by_ratio
+from asymptotics.flow.error_propagation import CarriedErrors, contraction_by_ratio
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
+from asymptotics.flow.trajectory import DeparturePiece, Piece
 from asymptotics.flow.turning import TurningState
+from asymptotics.return_map.course import Course
 from asymptotics.return_map.half_swing_map import HalfSwingBalls
 from asymptotics.return_map.panels import Panels
 
 
 @dataclass(frozen=True)
 class Interpolated(LinearSpring):
-    """A linear spring whose half-swings up to the turning point ``last`` may be read off ``panels``."""
+    """A linear spring whose half-swings up to the turning point ``last`` may be read off ``panels``.
+
+    ``within``: in about how many half-swings states are asked for, which may repay their courses.
+    """
 
     panels: Panels
     last: int = 0
+    within: int = 0
 
     def leap(self, here: TurningState, before: arb | None = None) -> TurningState | None:
         """By a panel, where as many half-swings as may follow repay it."""
@@ -47,11 +54,35 @@ class Interpolated(LinearSpring):
         # A turning point after the time asked for is of no use: the state in between has to be followed by pieces.
         return there if before is None or there.time < before else None
 
+    def read_off(self, u: arb, first: DeparturePiece, given: arb) -> Piece | None:
+        """The half-swing between the hand-overs of its quarters, where states in many half-swings are asked for."""
+        course = self.panels.course(u, self.within)
+        # The local expansion must reach the hand-over of the first quarter.
+        if course is None or not course.begin <= first.end:
+            return None
+        return OnCourse(self, arb(1), course.begin, course.end, CarriedErrors(arb(0), given), None, course)
+
+
+@dataclass(frozen=True)
+class OnCourse(Piece):
+    """The orbit from the exact start of the half-swing: two motions never part, so that ``errors`` are those given."""
+
+    course: Course
+
+    def own(self, t: arb) -> tuple[arb, arb]:
+        """(place, w) off the interpolated quarters."""
+        return self.course.state(t)
+
 
 def _whole_swings(time: arb) -> int:
     """About how many half-swings end before that time; it only decides how they are made."""
     # A half-swing lasts pi or a little longer.
     return int(min(float(time) / 3.2, 1e9))
+
+
+def swings_within(times: Sequence[arb]) -> int:
+    """About how many half-swings hold one of the ascending times; it only decides how they are made."""
+    return min(len(times), _whole_swings(times[-1]) + 1) if times else 0
 
 
 def following(damping: Damping, here: TurningState, found: HalfSwingBalls) -> TurningState:

@@ -17,8 +17,8 @@ from tests.test_cut_short import stop_at
 
 OWN = [name for name in QUESTIONS if loaded(name).offers.table and loaded(name).offers.again is not None]
 MORE = {  # what an example leaves out
-    "half-swing": ["--delta=1/10"], "damping": ["--spring=pendulum", "--unit=deg"], "turning-points": ["--times"],
-    "limit-cycle": ["--mu=1"],
+    "half-swing": ["--delta=1/10"], "damping": ["--spring=pendulum", "--unit=deg"], "limit-cycle": ["--mu=1"],
+    "turning-points": ["--times", "--v0=1/2"], "envelope": ["--squaring"],
 }  # fmt: skip
 ESTIMATES = {"solution": "an approximation, and no route certifies it to more digits"}
 

@@ -108,8 +108,23 @@ ELSEWHERE: Names = {
     ),
     **each(
         "return_map.quarters",
-        "Bundle.of NodeGrid.of NodeGrid.rates NodeGrid.slowness Path.along Path.enclosed quarter_swings",
+        "NodeGrid.of NodeGrid.rates NodeGrid.slowness Path.along Path.errors Path.enclosed quarter_swings",
         "test_a_ladder_of_closed_forms",
+    ),
+    **each("return_map.hand_overs", "Bundle.of", "tests/return_map/test_quarters.py::test_a_ladder_of_closed_forms"),
+    **each(
+        "return_map.hand_overs", "Bundle.together", "tests/return_map/test_courses.py::test_states_contain_the_pieces"
+    ),
+    **each(
+        "return_map.courses",
+        "Along.of Along.at QuarterCourse.ln_r QuarterCourse.time QuarterCourse.near QuarterCourse.state Courses.up_to "
+        "Courses.quarter",
+        "test_states_contain_the_pieces",
+    ),
+    **each(
+        "return_map.course",
+        "Course.of Course.state",
+        "tests/return_map/test_courses.py::test_states_contain_the_pieces",
     ),
     **each("return_map.spectral", "analysis integrals of_the_integral", "test_the_matrices_of_integration"),
     **each(

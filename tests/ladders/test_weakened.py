@@ -62,7 +62,15 @@ OWN = {
     "::test_the_residual_of_a_half_swing_is_what_it_is_off_by",
     "return_map.panels.Panels.half_swing": "tests/return_map/test_panels.py"
     "::test_the_durations_of_a_map_are_those_of_every_amplitude_within_the_error",
-    "return_map.quarters.Bundle.of": "tests/return_map/test_quarters.py::test_a_late_start_is_paid_for",
+    "return_map.course.Course.state": "tests/return_map/test_courses.py::test_a_poor_place_on_a_quarter_is_paid_for",
+    "return_map.courses.Along.at": "tests/return_map/test_courses.py"
+    "::test_an_uncertain_place_counts_by_markovs_inequality",
+    "return_map.courses.Along.of": "tests/return_map/test_courses.py::test_the_radii_of_what_is_kept_count",
+    "return_map.courses.QuarterCourse._value": "tests/return_map/test_courses.py"
+    "::test_what_a_way_is_off_by_is_in_what_is_read_off",
+    "return_map.courses.QuarterCourse.near": "tests/return_map/test_courses.py"
+    "::test_what_a_way_is_off_by_is_in_what_is_read_off",
+    "return_map.hand_overs.Bundle._of_columns": "tests/return_map/test_quarters.py::test_a_late_start_is_paid_for",
     "return_map.quarters.Path.along": "tests/return_map/test_quarters.py::test_coefficients_that_are_dropped_count",
     "return_map.quarters.Path.enclosed": "tests/return_map/test_quarters.py::test_the_error_is_made_of_its_parts",
     "return_map.quarters.Path.on_ellipse": "tests/return_map/test_quarters.py::test_the_bounds_on_the_ellipse",

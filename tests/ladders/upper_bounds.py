@@ -93,7 +93,7 @@ BOUNDS: Names = {
     ),
     **each("return_map.quarters", "Path.on_ellipse", "test_the_bounds_on_the_ellipse"),
     **each("return_map.quarters", "Path.drags", "test_the_drags_are_those_on_the_orbit"),
-    **each("return_map.quarters", "largest", "test_largest_is_an_upper_bound"),
+    **each("return_map.hand_overs", "largest", "tests/return_map/test_quarters.py::test_largest_is_an_upper_bound"),
     **each("return_map.quarters", "peak", "test_the_peak_is_attained"),
     **each(
         "turning.abel",

@@ -12,9 +12,10 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.expansion import TurningExpansion
 from asymptotics.numbers.exact import parse_real
-from asymptotics.return_map import quarters
+from asymptotics.return_map import hand_overs, quarters
 from asymptotics.return_map.chebyshev import cut
-from asymptotics.return_map.quarters import HAND_OVERS, Bundle, NodeGrid, Path, found, largest, peak, quarter_swings
+from asymptotics.return_map.hand_overs import HAND_OVERS, Bundle, largest
+from asymptotics.return_map.quarters import NodeGrid, Path, found, peak, quarter_swings
 from asymptotics.return_map.spectral import analysis
 from tests.flow.forces import by_strength
 
@@ -277,7 +278,7 @@ def test_what_is_out_of_reach_is_undecided(law):
 
 def test_a_hand_over_behind_the_centre_is_undecided(monkeypatch):
     fake = SimpleNamespace(state=lambda _w: (arb("-0.1"), arb(1)))
-    monkeypatch.setattr(quarters, "TurningExpansion", SimpleNamespace(at=lambda *_: fake))
+    monkeypatch.setattr(hand_overs, "TurningExpansion", SimpleNamespace(at=lambda *_: fake))
     with ctx.workprec(60), pytest.raises(UndecidedError, match="hand-over"):
         Bundle.of([(by_strength(("1/10", "2")), 1)])
 

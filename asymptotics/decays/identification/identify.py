@@ -49,6 +49,8 @@ from asymptotics.decays.records.units import ANGLES, GRAVITY, UNITS
 from asymptotics.errors import InputError, shown
 from asymptotics.running.budget import tick
 
+_OTHER = 0.1
+"""A share by which springs, losses and rough values of a mass explain another frequency.  A choice."""
 MAX_RUNS = 50
 """Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
 
@@ -188,7 +190,7 @@ def _one_run(
     # The advice fits again; where the limit is reached, the verdict is the same without it.
     plain = verdict_of(laws, seen, growing, advice=False)
     verdict = plain if seen.spacing else work.within(partial(verdict_of, laws, seen, growing), plain)
-    notes += [*_untried(laws), *_lengths(laws), *_memory(laws), *_mode(laws)]
+    notes += [*_untried(laws), *_lengths(laws), *_memory(laws), *_mode(laws), *_another_frequency(laws, units)]
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
     # Each held-out error is a fit more: for the laws of the verdict only.
@@ -247,6 +249,15 @@ def _mode(laws: Sequence[Judged]) -> list[str]:
 def _levels(fits: Sequence[Fitted], noise: Noise | None) -> Levels:
     model = next((law.fit.model for law in fits if law.fit is not None), None)
     return {} if model is None else noise_levels(model, noise)
+
+
+def _another_frequency(laws: Sequence[Judged], units: RecordUnits) -> list[str]:
+    """That the times tell another frequency than the mass and the stiffness, or omega_0, that were given."""
+    measured, given = omega_of(sorted_laws(laws)[0]), units.omega_0
+    if measured is None or given is None or abs(given / measured - 1) < _OTHER:
+        return []
+    said = f"the times say omega_0 = {measured:.4g} rad/s, and what was given {given:.4g}"
+    return [f"{said}: b and b/m are those of the given one; is it another oscillator, or another unit of time?"]
 
 
 def _memory(laws: Sequence[Judged]) -> list[str]:

@@ -44,7 +44,7 @@ _WORDS = {
     "velocity": "v velocity speed omega gyroscope gyro geschwindigkeit winkelgeschwindigkeit vx vy vz rate "
     "gx gy gz wx wy wz gyr \N{GREEK SMALL LETTER OMEGA}",
     "acceleration": "a acc accel acceleration accelerometer beschleunigung ax ay az",
-    "n": "n index",
+    "n": "n index cycle cycles",
     "amplitude": "amplitude",
     "decrement": "decrement",
     "resolution": "resolution",
@@ -260,6 +260,9 @@ def _require_what_it_says(
         said = {quantity(name), _by_unit(suffix(name))} - {"", "amplitude"}
         # Asked only where nothing was said: --kind and --columns know better than a name.
         wrong = said - {_MEANT[column]}
+        # Beside a count of swings A is an amplitude, whose unit is a length's or an angle's.
+        if found == "turning-points" and re.match(r"A\b", name):
+            wrong -= {"acceleration"} - {_by_unit(suffix(name))}
         if wrong and kind is None and columns is None and wrong & {"velocity", "acceleration", "position", "time"}:
             reason = (
                 f"{file}, row 1, column {name}: it seems to hold {_article(sorted(wrong)[0])}, not a {_MEANT[column]}"

@@ -24,6 +24,7 @@ _NAMES = re.compile(r"ampl|peak|maxim|max\b|scheitel|crest|envelope|h(?:ue|\u00f
 _DOUBLE = re.compile(
     r"peak[ _-]*(?:to|2)?[ _-]*peak|\bp-?p\b|pk-?pk|double[ _]ampl|crest[ _-]*to[ _-]*trough", re.IGNORECASE
 )
+_CYCLES = re.compile(r"\bcycles?\b", re.IGNORECASE)
 _LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART = 5, 500, 0.8, 0.15, -0.9, 1.5
 """Rows that are peaks: of fewer nothing is told, more are a sampled envelope; the share of steps that fall; by how much
 of a period a peak may be off its place; the correlation of an envelope with the time; and how many periods apart no
@@ -47,6 +48,15 @@ def peaks_of_one_side(name: str, t: Array, x: Array) -> Array | None:
 def is_double(name: str) -> bool:
     """Whether a column holds the distance from one side to the other, twice the amplitude."""
     return bool(_DOUBLE.search(name))
+
+
+def counts_cycles(name: str) -> bool:
+    """Whether a column counts whole cycles, each of two half-swings.
+
+    >>> counts_cycles("cycle"), counts_cycles("Cycles (n)"), counts_cycles("n")
+    (True, True, False)
+    """
+    return bool(_CYCLES.search(name))
 
 
 def is_envelope(name: str, t: Array, x: Array, frequency: float | None) -> bool:

@@ -21,10 +21,11 @@ than so many of the samples do, they are no spikes."""
 _A_PERIOD, _LEAST_PERIODS, _MOST_RELEASES = 24, 4, 12
 """Samples of a period that are looked at; periods of a decay that is worth a run; more releases than this are no
 releases, and the record stays whole."""
-_GROWN, _NOISE, _HELD, _SHAPE = 1.3, 8.0, 0.1, 0.25
+_GROWN, _NOISE, _HELD, _SHAPE, _JUMP, _NODE = 1.3, 8.0, 0.1, 0.25, 0.4, 0.6
 """A swing larger by this than a period before, and by so many times the noise of an amplitude, was touched; below this
 share of the largest it is held or over, and so it is where a line and a wave leave more than a quarter of its
-amplitude.  Choices, tried on decays, growth, beats and noise, which must stay whole
+amplitude.  A phase that jumps by more than ``_JUMP`` (radians) was touched too, between windows none of which swings
+less than the share ``_NODE`` of both.  Choices, tried on decays, growth, beats and noise, which must stay whole
 (``tests/decays/records/test_repairs.py``)."""
 
 
@@ -67,7 +68,7 @@ def releases(t: Array, x: Array) -> list[Places]:
     # Too few samples, a gap, or too short for two releases: nothing can be told of its swings.
     if per_period < 8 or float(steps.max()) > period / 2 or (t[-1] - t[0]) / period < 2 * _LEAST_PERIODS:
         return whole
-    centres, size, rest = _swings(t, x, period, max(int(per_period / _A_PERIOD), 1))
+    centres, size, rest, phase = _swings(t, x, period, max(int(per_period / _A_PERIOD), 1))
     if len(size) < 4 * _LEAST_PERIODS:
         return whole
     # The error of an amplitude from so many samples; the lower quartile, for touched windows leave more.
@@ -76,6 +77,8 @@ def releases(t: Array, x: Array) -> list[Places]:
     free = (size > _HELD * top) & (size > _NOISE * noise) & (rest < _SHAPE * size)
     grown = np.zeros(len(size), dtype=bool)
     grown[2:] = size[2:] > _GROWN * size[:-2] + _NOISE * noise
+    jumped = _jumps(phase, size, free, noise)
+    grown |= jumped
     # Windows overlap by half: the one before a growth and the one before that hold the touch as well.
     free &= ~(grown | np.roll(grown, -1) | np.roll(grown, -2))
     edges = np.flatnonzero(np.diff(np.concatenate([[0], free.astype(int), [0]])))
@@ -83,7 +86,31 @@ def releases(t: Array, x: Array) -> list[Places]:
     # One stretch without growth is a decay with a beginning and an end, which the extraction finds.
     if not 1 <= len(parts) <= _MOST_RELEASES or not (grown.any() or len(parts) > 1):
         return whole
-    return [np.flatnonzero((t >= start) & (t <= end)) for start, end in _ends(t, centres, size, grown, parts, period)]
+    found = []
+    for (start, end), (a, _) in zip(_ends(t, centres, size, grown, parts, period), parts):
+        # Where the phase jumped the windows before are those of the touch, whatever their size.
+        clear = float(centres[a]) - period / 2 if jumped[max(a - 3, 0) : a].any() else start
+        found.append(np.flatnonzero((t >= max(start, clear)) & (t <= end)))
+    return found
+
+
+def _jumps(phase: Array, size: Array, free: NDArray[np.bool_], noise: float) -> NDArray[np.bool_]:
+    """The windows in which the clock of the motion becomes another: it was held and let go again, perhaps no higher."""
+    found = np.zeros(len(phase), dtype=bool)
+    # Four windows apart the wave has turned twice, but for what its frequency differs.
+    turned = np.angle(np.exp(1j * (phase[4:] - phase[:-4])))
+    around = [turned[max(j - 10, 0) : j + 11] for j in range(len(turned))]
+    usual = np.array([float(np.median(each)) for each in around])
+    off = np.abs(np.angle(np.exp(1j * (turned - usual))))
+    spread = np.array([float(np.median(np.abs(each - u))) for each, u in zip(around, usual)])
+    for j in range(len(turned)):
+        # A wave on both sides, and between them none much smaller: at a node of beats there is.
+        smaller = float(min(size[j], size[j + 4]))
+        wave = free[j] and free[j + 4] and float(size[j : j + 5].min()) > _NODE * smaller
+        sudden = off[j] > _JUMP + _NOISE * (spread[j] + noise / smaller) and off[j] >= off[max(j - 3, 0) : j + 4].max()
+        if wave and sudden and len(around[j]) > 8:
+            found[j + 2 : j + 4] = True
+    return found
 
 
 def _ends(
@@ -114,8 +141,9 @@ def _period(t: Array, x: Array) -> float:
     return float((t[-1] - t[0]) / k) if power[k] > 0 else 0.0
 
 
-def _swings(t: Array, x: Array, period: float, step: int) -> tuple[Array, Array, Array]:
-    """Amplitudes of the wave in windows of a period, half a period apart; and what a line and the wave leave."""
+def _swings(t: Array, x: Array, period: float, step: int) -> tuple[Array, Array, Array, Array]:
+    """Amplitudes of the wave in windows of a period, half a period apart; what a line and the wave leave; its phase, of
+    which half a turn a window is taken off."""
     t, x = t[::step], x[::step]
     centres = np.arange(t[0] + period / 2, t[-1] - period / 2, period / 2)
     low, high = np.searchsorted(t, centres - period / 2), np.searchsorted(t, centres + period / 2)
@@ -123,10 +151,13 @@ def _swings(t: Array, x: Array, period: float, step: int) -> tuple[Array, Array,
     for centre, a, b in zip(centres, low, high):
         u = (t[a:b] - centre) / period
         if b - a < 6:
-            found.append((0.0, 0.0))
+            found.append((0.0, 0.0, 0.0))
             continue
         V = np.stack([np.ones(b - a), u, np.cos(2 * np.pi * u), np.sin(2 * np.pi * u)], axis=1)
         c = np.linalg.lstsq(V, x[a:b], rcond=None)[0]
-        found.append((float(np.hypot(c[2], c[3])), float(np.std(x[a:b] - V @ c))))
-    size, rest = np.array(found).reshape(-1, 2).T
-    return centres, size, rest
+        turn = np.pi * (len(found) % 2)
+        found.append(
+            (float(np.hypot(c[2], c[3])), float(np.std(x[a:b] - V @ c)), float(np.arctan2(-c[3], c[2])) - turn)
+        )
+    size, rest, phase = np.array(found).reshape(-1, 3).T
+    return centres, size, rest, phase

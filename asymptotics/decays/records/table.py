@@ -23,7 +23,7 @@ from asymptotics.decays.records.choosing import chosen, read_as
 from asymptotics.decays.records.clocked import clocked
 from asymptotics.decays.records.columns import KINDS, Choice
 from asymptotics.decays.records.levels import amplitudes, is_logarithmic
-from asymptotics.decays.records.peaks import is_double, is_envelope, peaks_of_one_side
+from asymptotics.decays.records.peaks import counts_cycles, is_double, is_envelope, peaks_of_one_side
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.decays.records.uncertainties import errors_of
@@ -97,6 +97,8 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     found = replace(found, read_as=lambda: read_as(given, choice))
     if found.kind in ("record", "envelope") and not (kind is not None and found.kind == "record"):
         found = _as_amplitudes(found, given.names[choice.places["x"]], given.frequency)
+    elif found.kind == "turning-points":
+        found = _as_counted(_halved(found, given.names[choice.places["x"]]), given.names[choice.places["n"]])
     return _with_errors(found, choice, given, time) if found.kind == "turning-points" else found
 
 
@@ -118,11 +120,25 @@ def _with_errors(table: RecordTable, choice: Choice, given: Source, time: str) -
     return replace(table, columns={**table.columns, **errors}, notes=(*table.notes, said))
 
 
+def _halved(table: RecordTable, name: str) -> RecordTable:
+    """Amplitudes where the column holds what lies between the peaks of both sides."""
+    if not is_double(name):
+        return table
+    halved = {**table.columns, "x": table.columns["x"] / 2}
+    return replace(table, columns=halved, notes=(*table.notes, f"{name!r}: amplitudes are half of it"))
+
+
+def _as_counted(table: RecordTable, name: str) -> RecordTable:
+    """Half-swings where the column counts cycles."""
+    if not counts_cycles(name):
+        return table
+    said = f"{name!r} counts cycles: n is twice that"
+    return replace(table, columns={**table.columns, "n": 2 * table.columns["n"]}, notes=(*table.notes, said))
+
+
 def _as_amplitudes(table: RecordTable, name: str, frequency: float | None) -> RecordTable:
     """A sampled envelope, or peaks of one side; a sampled motion as it is."""
-    if is_double(name):
-        halved = {**table.columns, "x": table.columns["x"] / 2}
-        table = replace(table, columns=halved, notes=(*table.notes, f"{name!r}: amplitudes are half of it"))
+    table = _halved(table, name)
     t, x = table.columns["t"], table.columns["x"]
     levels = table.kind == "envelope" or is_logarithmic(suffix(name))
     if levels or is_envelope(name, t, x, frequency):

@@ -55,3 +55,15 @@ def test_a_rate_gives_one_column_its_times(tmp_path):
     # b/m = 2/20 s, and omega_0^2 = 9 + 1/400.
     assert answer.units.omega_0 == pytest.approx(3.000417, rel=1e-4)
     assert answer.law("1").law.epsilon[0].estimate == pytest.approx(0.1 / 3.000417, rel=1e-3)
+
+
+def test_a_mass_and_a_stiffness_of_another_frequency_are_told():
+    """A record of 4 rad/s: 1.5 kg and 24 N/m are its own, 200 g of the same spring swing with 11 rad/s."""
+    t = np.arange(0, 30, 0.05)
+    record = {"t": t, "x": np.exp(-0.05 * t) * np.cos(4 * t)}
+    told = [
+        [note for note in asy.identify(record, laws=["1"], bootstrap=False, **known).notes if "the times say" in note]
+        for known in ({"mass": 1.5, "stiffness": 24}, {"mass": 0.2, "stiffness": 24}, {"omega_0": 4.1}, {"omega_0": 8})
+    ]
+    assert [len(notes) for notes in told] == [0, 1, 0, 1]
+    assert told[1][0].startswith("the times say omega_0 = 4 rad/s, and what was given 10.95")

@@ -131,3 +131,19 @@ def test_columns_of_uncertainties():
     law = answer.law("1+2+pendulum").law
     assert answer.units.unit == "deg" and law.verdict == "consistent"
     assert law.epsilon[0].contains(0.004) and law.epsilon[1].contains(0.03 * np.pi / 180)
+
+
+def test_a_body_that_is_caught_and_let_go_again_is_several_runs_of_one_law():
+    """Three releases without a hold, none higher than the last swing, in steps of 0.7 with 25 samples a period."""
+    mu, step = 0.0158, 0.034
+    parts = [
+        size * np.exp(-mu * tau[:count]) * np.cos(tau[:count] + phase)
+        for size, phase, count in ((16.8, 0.0, 77), (14.7, -0.1, 245), (3.8, 1.3, 295))
+        for tau in [7.58 * step * np.arange(300)]
+    ]
+    x = np.round(np.concatenate(parts) / 0.7) * 0.7
+    answer = asked((step * np.arange(len(x)), x), ["1", "0", "2", "1+s3"])
+    assert len(answer.runs) == 2 and any("released again: run 1 of 2" in note for note in answer.notes)
+    law = answer.law("1").law
+    assert law.verdict == "consistent" and law.epsilon[0].estimate == pytest.approx(2 * mu, rel=0.04)
+    assert {answer.law(text).law.verdict for text in ("0", "2")} == {"refuted"}

@@ -1,10 +1,12 @@
 """Peaks of one side with times are turning points of even number; a sampled swing of that name is none."""
 
 import numpy as np
+import pytest
 
 import asymptotics as asy
 from asymptotics.decays.identification.synthetic import exact
 from asymptotics.decays.records.table import read_table
+from asymptotics.errors import InputError
 
 RUN = exact("1", [0.02], 60)
 T, X = RUN.tau[::2], np.exp(RUN.a[::2])
@@ -63,3 +65,24 @@ def test_errors_that_are_missing_or_zero_weigh_nothing():
         error[3] = bad
         table = read_table({"t": T, "amplitude": X, "yerr": error})
         assert "sigma_x" not in table.columns and len(table.columns["x"]) == len(T)
+
+
+@pytest.mark.parametrize("count", ["cycle", "Cycles", "n"])
+@pytest.mark.parametrize(("name", "share"), [("A (mm)", 1.0), ("peak-to-peak (mm)", 2.0), ("amplitude (mm)", 1.0)])
+def test_a_table_of_counted_peaks_has_its_amplitudes_and_half_swings(count, name, share):
+    """Two columns, in both orders; what lies between the peaks of both sides is twice the amplitude."""
+    numbers, sizes = np.array([0, 3, 4, 7, 9]), np.array([5.0, 4.0, 3.5, 2.5, 1.7])
+    for swap in (False, True):
+        columns = {count: numbers, name: share * sizes}
+        found = read_table(dict(reversed(columns.items())) if swap else columns)
+        assert found.kind == "turning-points" and found.unit == "mm"
+        assert np.array_equal(found.columns["n"], numbers * (1 if count == "n" else 2))
+        assert np.array_equal(found.columns["x"], sizes)
+        assert any("counts cycles" in note for note in found.notes) == (count != "n")
+        assert any("are half of it" in note for note in found.notes) == (share == 2)
+
+
+def test_an_acceleration_beside_a_count_is_no_amplitude():
+    for name in ("A (m/s^2)", "acc", "a"):
+        with pytest.raises(InputError, match="acceleration"):
+            read_table({"n": [0, 1, 2, 3], name: [5.0, -4.0, 3.0, -2.0]})

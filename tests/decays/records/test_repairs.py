@@ -151,3 +151,43 @@ def test_cells_beyond_the_doubles_are_refused_in_words(tmp_path):
     file.write_text("\n0,1e400\n0,1e400")  # found by the fuzz: a warning of NumPy
     with pytest.raises(InputError, match="what is measured is not clear"):
         asy.identify(file, laws=["1"])
+
+
+def let_go_again(phases, sizes, noise=0.0, rate=0.02, per_period=25):
+    """Releases of 12 periods each that begin without a hold at any phase: x = size e^(-rate s) cos(s + phase)."""
+    tau = np.arange(12 * per_period) * 2 * np.pi / per_period
+    parts = [size * np.exp(-rate * tau) * np.cos(tau + phase) for phase, size in zip(phases, sizes, strict=True)]
+    x = np.concatenate(parts) + noise * np.random.default_rng(1).standard_normal(len(tau) * len(parts))
+    return np.arange(len(x)) * 2 * np.pi / per_period, x
+
+
+@pytest.mark.parametrize("sizes", [(1.0, 0.22, 0.2), (1.0, 0.5, 0.4)])
+@pytest.mark.parametrize("phase", [1.2, -1.2, 2.5])
+def test_a_jump_of_the_phase_is_a_release_though_no_swing_grows(phase, sizes):
+    t, x = let_go_again([0, phase, 0], sizes, noise=0.002)
+    places = releases(t, x)
+    assert len(places) == 3
+    # Each lies within its release, and has two thirds of what swings by a tenth of the first at least.
+    for k, part in enumerate(places):
+        assert 300 * k <= part[0] <= 300 * k + 40 and 300 * k + 150 <= part[-1] <= 300 * (k + 1)
+
+
+def test_a_phase_that_does_not_jump_and_a_small_knock_leave_one_decay():
+    t, x = let_go_again([0, 0, 0], [1.0, np.exp(-0.02 * 24 * np.pi), np.exp(-0.02 * 48 * np.pi)], noise=0.002)
+    assert [len(part) for part in releases(t, x)] == [len(t)]
+    t, x = let_go_again([0, 0.3, 0.3], [1.0, np.exp(-0.02 * 24 * np.pi), np.exp(-0.02 * 48 * np.pi)], noise=0.002)
+    assert [len(part) for part in releases(t, x)] == [len(t)]
+
+
+@pytest.mark.parametrize("share", [0.3, 0.5])
+def test_beats_have_jumps_of_the_phase_at_their_nodes_and_stay_one_record(share):
+    t = np.arange(0, 400, 0.25)
+    x = np.exp(-0.004 * t) * (np.cos(t) + share * np.cos(1.06 * t))
+    assert [len(part) for part in releases(t, x)] == [len(t)]
+
+
+def test_a_deep_pendulum_whose_frequency_runs_is_one_decay():
+    t = np.arange(0, 150, 0.2)
+    size = 2.8 * np.exp(-0.03 * t)
+    x = size * np.cos(np.cumsum(1 - size**2 / 16 - size**4 / 3072) * 0.2)
+    assert [len(part) for part in releases(t, x)] == [len(t)]

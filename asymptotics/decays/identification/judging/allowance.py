@@ -59,6 +59,8 @@ def allowances(chosen: Judged, laws: Sequence[Judged], first: float | None) -> t
         alike = law.candidate.free == chosen.candidate.free and chosen.candidate.is_within(law.candidate)
         if law.verdict == "consistent" and alike and len(further) == 1:
             found.append(_allowance(chosen, law, next(iter(further)), first))
+    # A loss is not negative: a term whose whole interval is, is excluded.
+    found = [allowed for allowed in found if allowed.largest is None or allowed.largest > 0]
     return (*found, *_instead_of_sine(chosen, laws))
 
 
@@ -87,8 +89,7 @@ def _allowance(chosen: Judged, law: Judged, term: Element, first: float | None) 
         return Allowance(name, None)
     if term.kind == "spring":
         return Allowance(name, max(abs(ends.low), abs(ends.high)))
-    # A loss is not negative: where the whole interval is, none is allowed.
-    largest = max(ends.high, 0.0)
+    largest = ends.high
     if first is None or law.candidate.free:
         return Allowance(name, largest)
     own = _first_order(term) * first**term.weight * largest

@@ -77,9 +77,8 @@ class MeasuredEnvelope:
         shown = self.backbone[:: len(self.backbone) - 1] if self.chirps else ()
         ends = [f"{_span(row, 5)} at {row['amplitude']:.3g} {self.unit}".rstrip() for row in shown]
         chirp = f"T = {', '.join(ends)}" if ends else ""
-        return "; ".join(
-            part for part in ("envelope, before any law: " + period, chirp, f"Q = {', '.join(each)}", life) if part
-        )
+        parts = (period, chirp, f"Q = {', '.join(each)}", life)
+        return "envelope, before any law: " + "; ".join(part for part in parts if part)
 
 
 def envelope(seen: Observations) -> MeasuredEnvelope | None:

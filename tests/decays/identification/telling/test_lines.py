@@ -126,3 +126,9 @@ def test_a_share_is_told_in_plain_words_and_never_above_the_whole():
     )
     assert off(0.32) == "32 % off on average" and "%" not in off(1.3e5)
     assert small_laws.law("1", epsilon=(SURE,)).graded == "consistent"
+
+
+def test_an_envelope_without_times_begins_with_what_it_has():
+    x = (-1.0) ** np.arange(12) * np.exp(-0.05 * np.arange(12))
+    answer = asy.identify({"n": np.arange(12), "x": x}, laws=["1"], bootstrap=False)
+    assert any(line.startswith("envelope, before any law: Q = ") for line in answer.lines)
