@@ -29,6 +29,8 @@ def real_array(value: Any, argument: str) -> Any:
     LimitError for more than ``MAX_SIZE`` numbers, before they are made.
     """
     _require_size(value, argument)
+    if isinstance(value, bytes | bytearray | memoryview):  # NumPy reads a buffer: b"1" would be the number 49
+        raise InputError(argument, f"{shown(value)} is not an array of numbers", _ACCEPTED)
     try:
         given = np.asarray(value)
     except (TypeError, ValueError):  # rows of different lengths

@@ -110,3 +110,10 @@ def test_a_text_becomes_the_double_next_to_it():
     texts = [f"{n / 1000}" for n in range(1, 300)]
     assert real_array(texts, "x").tolist() == [float(text) for text in texts]
     assert float(exact_number("0.1", "x").ball().mid()) != 0.1  # near miss: what was done before
+
+
+@pytest.mark.parametrize("buffer", [b"1", bytearray(b"1"), memoryview(b"1")])
+def test_a_buffer_of_bytes_is_no_array(buffer):
+    """Failed before: bytearray(b"1") was the time 49."""
+    with pytest.raises(InputError, match="argument time"):
+        real_array(buffer, "time")
