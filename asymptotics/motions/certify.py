@@ -5,7 +5,7 @@
 >>> time_of("-1")
 Traceback (most recent call last):
     ...
-asymptotics.errors.InputError: argument time: -1 is before the start, ... (accepted: a time >= 0 in seconds)
+asymptotics.errors.InputError: argument time: -1 is before the start, ... (accepted: a time >= 0, ...)
 """
 
 from collections.abc import Callable

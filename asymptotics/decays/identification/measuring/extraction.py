@@ -320,8 +320,9 @@ def _start_of_freedom(t: Array) -> int:
         line = np.polynomial.Polynomial.fit(k, following, 1)
         # Eight half periods less the two coefficients of the line.
         scatter = float(np.sqrt(np.mean((following - line(k)) ** 2) * 8 / 6))
-        # Five of its scatter, extrapolated by one: chance hardly does that, and a hand does.
-        if abs(half[first] - line(0)) > 5 * scatter:
+        # Five of its scatter, extrapolated by one: chance hardly does that, and a hand does; less than what the local
+        # fits themselves leave is no hand.
+        if abs(half[first] - line(0)) > max(5 * scatter, _EXACT * float(np.median(half)) / np.pi):
             return first + 1
     return 0
 
