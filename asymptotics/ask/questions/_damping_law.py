@@ -65,7 +65,10 @@ def _csv(found: DampingLaw, request: Request) -> str:
 
 
 # What tells every double apart: the fit is one in doubles.
-_COLUMNS, _DIGITS = ("A", "zeta", "Q", "decrement", "force", "omega", "n", "cycles", "t", "resolution"), 17
+_COLUMNS, _DIGITS = (
+    ("A", "zeta", "Q", "decrement", "force", "omega", "phase", "phase_resolution", "n", "cycles", "t", "resolution"),
+    17,
+)
 
 
 def _again(request: dict[str, str], header: list[str], rows: list[tuple[int, list[str]]], *_: Any) -> Comparison:
@@ -167,7 +170,9 @@ def damping_law(
     (omega_0 t without ``mass`` and ``stiffness``); resolution is that of A then.  Two amplitudes tell the strength of
     each law of one term.  Or the force under which each amplitude was measured, in a column force, and its angular
     frequency in a column omega (omega_0 without one): resolution is that of A, and the law is that of the resonance
-    (derivation ``driven-first-order``).  Source: derivation ``equivalent-damping``.
+    (derivation ``driven-first-order``); with a column phase, the lag of x behind the force (rad, or phase [deg]), and
+    phase_resolution beside it where that of A is known, the loss is force times sin(phase), whatever the detuning.
+    Source: derivation ``equivalent-damping``.
 
     Examples
     --------

@@ -49,10 +49,13 @@ NAMES = {
     "resolution": ("resolution", "sigma", "s", "uncertainty", "error"),
     "force": ("f", "force"),
     "omega": ("omega", "w"),
+    "phase": ("phase", "lag"),
+    "phase_resolution": ("phase_resolution", "phase resolution", "sigma_phase"),
     "n": ("n",),
     "cycles": ("cycle", "cycles", "period", "periods", "count"),
     "t": ("t", "time", "tau"),
 }
+_PHASE = ("phase", "phase_resolution")
 CLOCKS = ("n", "cycles", "t")
 """Half-swings, periods, or the time: what amplitudes alone stand beside."""
 
@@ -85,7 +88,9 @@ def law_of_table(
     used = {"A": given.tolist(), quantity: columns[quantity].tolist()}
     if driven:
         columns |= {name: _positive(columns[name], name) for name in ("force", "omega") if name in columns}
-        used |= {"omega": columns["omega"].tolist()} if "omega" in columns else {}
+        columns, said = _with_phase(columns, spread is not None)
+        notes = (*notes, *said)
+        used |= {name: columns[name].tolist() for name in ("omega", *_PHASE) if name in columns}
     used |= {} if spread is None else {"resolution": spread.tolist()}
     if between:
         if spring is not None:
@@ -128,13 +133,25 @@ def law_of_table(
     return DampingLaw(problem, found, len(given), ends, off, relative, frame, (*notes, *skipped), used)
 
 
+def _with_phase(columns: dict[str, Any], known: bool) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """The columns without a phase that cannot be weighed: beside amplitudes of known errors one needs its own."""
+    if "phase" not in columns or not known:
+        return {name: column for name, column in columns.items() if name != "phase_resolution"}, ()
+    if "phase_resolution" in columns:
+        return {**columns, "phase_resolution": _positive(columns["phase_resolution"], "phase_resolution")}, ()
+    return {name: column for name, column in columns.items() if name != "phase"}, (
+        "not used: phase, beside which no phase_resolution stands",
+    )
+
+
 def _corrected(
     columns: dict[str, Any], best: DampingCandidate, spread: Any, mass: ExactReal | None, stiffness: ExactReal | None
 ) -> tuple[tuple[Any, Any, Any], tuple[str, ...]]:
     """The table with its amplitudes brought to first order, by the next harmonics of the best law."""
     off = beyond_first_order(columns, {s.alpha: s.estimate for s in best.strengths}, mass, stiffness)
-    places, values, error, _ = as_losses({**columns, "amplitude": columns["amplitude"] - off}, spread, mass, stiffness)
-    share = float(np.max(abs(off / columns["amplitude"])))
+    nearer = {name: columns[name] - by for name, by in off.items() if name in columns}
+    places, values, error, _ = as_losses({**columns, **nearer}, spread, mass, stiffness)
+    share = float(np.max(abs(off["amplitude"] / columns["amplitude"])))
     told = f"amplitudes less what the next harmonics of {best.name} add, {percent(share)} at most (an estimate)"
     return (places.tolist(), values.tolist(), None if error is None else error.tolist()), (told,)
 
@@ -192,8 +209,8 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...], str]:
     # Without any of them the amplitudes themselves tell the loss, by their numbers or times.
     clocks = [c for c in CLOCKS if c in columns]
     quantities = quantities or (["force"] if "force" in columns else clocks[:1])
-    kept = {"force", "omega"} if quantities == ["force"] else {*quantities[:1]}
-    unused = [c for c in (*clocks, "force", "omega") if c in columns and c not in kept] if quantities else []
+    kept = {"force", "omega", *_PHASE} if quantities == ["force"] else {*quantities[:1]}
+    unused = [c for c in (*clocks, "force", "omega", *_PHASE) if c in columns and c not in kept] if quantities else []
     if "amplitude" not in columns or len(quantities) != 1:
         reason = "no column A" if "amplitude" not in columns else f"{len(quantities)} of the columns zeta, Q, decrement"
         raise InputError(
@@ -225,6 +242,9 @@ def _in_plain_numbers(columns: dict[str, Any], names: Sequence[str]) -> list[str
         if what in ("zeta", "decrement", "resolution") and what in columns and unit.lower() in _PERCENT:
             columns[what] = columns[what] / 100
             told.append(f"{name}: per cent")
+        if what in _PHASE and what in columns and unit.lower() in ("deg", "degree", "degrees", "°"):
+            columns[what] = np.radians(columns[what])
+            told.append(f"{name}: degrees")
         if what == "t" and what in columns:
             columns[what] = columns[what] * seconds(name, "the table")
     return told

@@ -9,6 +9,9 @@ where
 The error of an amplitude moves zeta and where it is: with p the slope of ln zeta in ln A, relative to zeta by
 (1 + p + (A (k - m Omega^2)/R)^2) times that of A.
 
+Where the phase phi by which x lags behind the force was measured too, R = F sin(phi) needs no difference of the spring
+and the mass: the errors are (1 + p) times that of A, and that of phi times cot(phi), beside each other.
+
 >>> forces = np.array([0.1, 0.2, 0.4])
 >>> places, zeta, spread, _ = as_losses({"amplitude": 10 * forces, "force": forces}, np.full(3, 0.01), None, None)
 >>> zeta.round(12).tolist(), (spread * places).round(12).tolist()
@@ -36,6 +39,9 @@ def as_losses(
     m, k = (1.0 if n is None else double_of(n) for n in (mass, stiffness))
     omega_0 = (k / m) ** 0.5
     omega = columns.get("omega", np.full(len(A), omega_0))
+    places = A * omega / omega_0
+    if "phase" in columns:
+        return _by_phase(columns, places, F / (A * omega) / (2 * (k * m) ** 0.5), spread)
     detuning = A * (k - m * omega**2) if "omega" in columns else np.zeros(len(A))
     square = F**2 - detuning**2
     if not np.all(square > 0):
@@ -43,11 +49,27 @@ def as_losses(
         reason = f"{F[row - 1]:g} in row {row} is less than the spring and the mass take of it"
         raise InputError("force", reason, "forces, amplitudes, mass and stiffness of one experiment")
     R = np.sqrt(square)
-    places, zeta = A * omega / omega_0, R / (A * omega) / (2 * (k * m) ** 0.5)
+    zeta = R / (A * omega) / (2 * (k * m) ** 0.5)
     told = ("amplitudes under a force: first order",)
     if spread is None:
         return places, zeta, None, told
     return places, zeta, zeta * (1 + _slope(places, zeta) + (detuning / R) ** 2) * spread / A, told
+
+
+def _by_phase(columns: dict[str, Any], places: Any, whole: Any, spread: Any) -> tuple[Any, Any, Any, tuple[str, ...]]:
+    """The same by the phases; ``whole``: zeta of a force that is all in phase with the velocity."""
+    A, phase = columns["amplitude"], columns["phase"]
+    if not np.all((phase > 0) & (phase < np.pi)):
+        row = int(np.flatnonzero(~((phase > 0) & (phase < np.pi)))[0])
+        reason = (
+            f"{phase[row]:g} rad in row {row + 1}: by a loss x lags behind the force, by more than 0 and less than pi"
+        )
+        raise InputError("phase", reason, "the lag of x behind the force, in rad, or in a column phase [deg]")
+    zeta, told = whole * np.sin(phase), ("amplitudes and phases under a force: first order",)
+    if spread is None:
+        return places, zeta, None, told
+    of_phase = columns["phase_resolution"] / np.tan(phase)
+    return places, zeta, zeta * np.hypot((1 + _slope(places, zeta)) * spread / A, of_phase), told
 
 
 def _slope(places: Any, zeta: Any) -> Any:
@@ -60,18 +82,20 @@ def _slope(places: Any, zeta: Any) -> Any:
 
 def beyond_first_order(
     columns: dict[str, Any], strengths: dict[str, float], mass: ExactReal | None, stiffness: ExactReal | None
-) -> Any:
-    """What each amplitude is beyond first order for a law, by the next harmonics; 0 where they say nothing."""
+) -> dict[str, Any]:
+    """What amplitude and phase of each row are beyond first order for a law, by the next harmonics; 0 where they say
+    nothing."""
     law = {exact_number(a, "laws"): b for a, b in strengths.items() if b > 0}
     oscillator = Oscillator(law, mass=mass or 1, stiffness=stiffness or 1)
     m, k = (1.0 if n is None else double_of(n) for n in (mass, stiffness))
     omega = columns.get("omega", np.full(len(columns["force"]), (k / m) ** 0.5))
-    off = []
+    off: dict[str, list[float]] = {"amplitude": [], "phase": []}
     for n, (F, w) in enumerate(zip(columns["force"], omega)):
         tick(f"the next harmonics at row {n + 1} of {len(omega)}")
         try:
             found = estimated_error(Drive.read(oscillator, float(F), float(w)))
         except InputError:  # a force that the friction of this law withstands
             found = None
-        off.append(float((found or {}).get("amplitude", 0.0)))
-    return np.array(off)
+        for name, column in off.items():
+            column.append(float((found or {}).get(name, 0.0)))
+    return {name: np.array(column) for name, column in off.items()}
