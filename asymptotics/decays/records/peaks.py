@@ -2,7 +2,8 @@
 
 A column that is called amplitude or peak, all above 0, falling nearly always, at nearly even times, is no sampled
 swing: it is read as the maxima of one side, a period apart.  A peak that was missed leaves a gap in n.  More rows than
-an eye or a tracker finds peaks, or rows further apart than the period that the file says, are a sampled envelope.
+an eye or a tracker finds peaks, or rows further apart than the period that the file says, are a sampled envelope, and
+so are volts on an even clock: a lock-in's readings, of which the clock says no period.
 Where the name says peak to peak, half of it is the amplitude.
 
 >>> t = np.array([0.0, 2.0, 4.1, 8.1, 10.0])
@@ -10,6 +11,9 @@ Where the name says peak to peak, half of it is the amplitude.
 array([ 0.,  2.,  4.,  8., 10.])
 >>> peaks_of_one_side("x (cm)", t, np.exp(-0.1 * t)) is None, is_envelope("amplitude (V)", t, np.exp(-0.1 * t), 1e4)
 (True, True)
+>>> even = np.arange(6.0)
+>>> [is_envelope(name, even, np.exp(-0.1 * even), None) for name in ("amplitude (V)", "amplitude (cm)")]
+[True, False]
 >>> is_double("peak-to-peak (cm)"), is_double("peak (cm)")
 (True, False)
 """
@@ -19,11 +23,15 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
+from asymptotics.decays.records.units import suffix
+
 Array = NDArray[np.float64]
 _NAMES = re.compile(r"ampl|peak|maxim|max\b|scheitel|crest|envelope|h(?:ue|\u00fc)llkurve|magnitude", re.IGNORECASE)
 _DOUBLE = re.compile(
     r"peak[ _-]*(?:to|2)?[ _-]*peak|\bp-?p\b|pk-?pk|double[ _]ampl|crest[ _-]*to[ _-]*trough", re.IGNORECASE
 )
+_VOLTS, _CLOCK = ("v", "mv", "uv", "\u00b5v", "\u03bcv"), 1e-3
+"""Units of what a lock-in amplifier reads, and by how much of itself the step of its clock changes, printed."""
 _CYCLES = re.compile(r"\bcycles?\b", re.IGNORECASE)
 _LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART = 5, 500, 0.8, 0.15, -0.9, 1.5
 """Rows that are peaks: of fewer nothing is told, more are a sampled envelope; the share of steps that fall; by how much
@@ -71,5 +79,7 @@ def is_envelope(name: str, t: Array, x: Array, frequency: float | None) -> bool:
     # Spearman's correlation: a decay falls, whatever its noise; a swing about a base line does not.
     order = np.argsort(np.argsort(x[first:]))
     falls = float(np.corrcoef(np.arange(len(order)), order)[0, 1]) < _FALLS
-    apart = frequency is not None and float(np.median(np.diff(t))) * frequency > _APART
-    return falls and (apart or len(x) > _MOST)
+    steps = np.diff(t)
+    apart = frequency is not None and float(np.median(steps)) * frequency > _APART
+    read = suffix(name).lower() in _VOLTS and float(np.ptp(steps)) < _CLOCK * float(np.median(steps))
+    return falls and (apart or read or len(x) > _MOST)

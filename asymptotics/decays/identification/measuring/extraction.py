@@ -128,7 +128,9 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: RowPlace
         return replace(seen, samples=samples, notes=(*seen.notes, far), sigma_x=error, sigma_t=error / seen.reference)
     half = _half_width(t, period)
     floor = float(np.interp(half / period, (_WINDOW, _WIDEST), (_EXACT, _COARSE)))
-    return replace(seen, window=Window.of(t, seen.t, half, 2 * np.pi / period), floor=floor)
+    free = (t >= seen.t[0]) & (t <= seen.t[-1])
+    record = t[free], (x - base[0] - base[1] * (t - t[0]))[free]
+    return replace(seen, window=Window.of(t, seen.t, half, 2 * np.pi / period), floor=floor, record=record)
 
 
 def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: float) -> _Points:

@@ -45,7 +45,8 @@ class Observations(Alike):
     noise too; ``samples``: the motion itself, where it is fitted and the turning points only start the fit;
     ``time_unit``: that of the file, in which a period is told (empty: s), while ``t`` is in s; ``stride``: how many
     true half-swings one n of an envelope counts, and ``spacing`` the time between two (``ringdown``); ``window``: that
-    of the local fits which found the turning times, and find them late (None: measured otherwise).
+    of the local fits which found the turning times, and find them late (None: measured otherwise); ``record``: the
+    samples in which they were found, about the base line, for the picture alone.
     """
 
     n: Indices
@@ -65,6 +66,7 @@ class Observations(Alike):
     stride: float = 1.0
     spacing: float | None = None
     window: Window | None = None
+    record: tuple[Array, Array] | None = None
 
     @classmethod
     def of(

@@ -26,6 +26,8 @@ from asymptotics.present.drawn import head
 
 _SHOWN = 3
 """So many curves with their bands can be told apart in one panel."""
+_DOTS = 4000
+"""Dots that a panel can hold; of more samples one in so many is drawn.  A choice."""
 _ALIKE = 0.5
 """Curves that lie within this share of their bands of each other are one to the eye, and are drawn as one."""
 
@@ -82,6 +84,10 @@ def _decay(axes: Any, law: Judged, unit: str) -> None:
             # About a base line that may be inclined.
             centre = fit.theta[model.after] + fit.theta[model.after + 1] * (place * scale - t[0]) / (t[-1] - t[0])
             axes.set_xlim(t[0] / scale, t[-1] / scale)
+        elif seen.record is not None:  # the turning points are fitted, and these are where they come from
+            step = -(-len(seen.record[0]) // _DOTS)
+            t, x = (column[::step] for column in seen.record)
+            axes.plot(t / scale, x, ".", markersize=2, color="0.6", label="samples")
     for sign in (1, -1):
         axes.plot(place, centre + sign * size, color="C1", lw=1, label="envelope" if sign > 0 else None)
     n, measured, _ = measured_sizes(fit)

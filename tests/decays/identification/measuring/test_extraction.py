@@ -213,3 +213,19 @@ def test_the_first_swings_of_a_deep_pendulum_are_where_they_are():
     wrong = (seen.x - CubicSpline(t, exact)(nearest)) / seen.sigma_x
     assert seen.t[0] < 1.1 and len(seen.t) > 190
     assert np.abs(wrong).max() < 5 and 0.7 < np.sqrt(np.mean(wrong**2)) < 1.5
+
+
+def test_the_samples_stand_under_the_envelope_where_turning_points_are_fitted():
+    """Failed before: the picture of a record had its turning points alone.  About the base line, and thinned."""
+    t = np.arange(0, 40, 0.004)
+    x = np.cos(2 * t) / (1 + 0.05 * t) + 0.3 + 1e-4 * np.random.default_rng(8).standard_normal(len(t))
+    found = asy.identify(t, x, laws=["2"], bootstrap=False)
+    seen = found.best.law.fit.model.seen
+    assert seen.samples is None and seen.record is not None
+    place, size = seen.record
+    inside = (t >= seen.t[0]) & (t <= seen.t[-1])
+    assert np.array_equal(place, t[inside]) and np.allclose(size, x[inside] - 0.3, atol=1e-3)
+    axes = found.plot().figure.axes
+    drawn = {line.get_label(): line.get_xydata() for line in axes[0].lines}
+    assert 1000 < len(drawn["samples"]) <= 4000 < len(place)
+    assert np.abs(drawn["samples"][:, 1]).max() < 1.001 < np.abs(x).max()  # near miss: with its base line it stands out

@@ -84,8 +84,13 @@ def test_the_rise_before_the_decay_is_left_out_and_the_frequency_is_asked_for():
         asy.identify(written(level(a), without))
     (seen,) = load(written(level(a), without), omega_0=2 * np.pi * F)
     assert seen.omega == pytest.approx(2 * np.pi * F)
-    # Near miss: a linear column of few rows and no frequency holds peaks, a period apart.
-    assert load(written(A, "time (s), amplitude (V)\n"))[0].omega is None
+    # Volts on an even clock, too: they were read as peaks a period apart, and Q was that of the clock.
+    with pytest.raises(InputError, match="argument omega_0: .*is an envelope and says no frequency"):
+        load(written(A, "time (s), amplitude (V)\n"))
+    # Near misses: a linear column of few rows and no frequency holds peaks, a period apart; volts on an uneven clock.
+    assert load(written(A, "time (s), amplitude (cm)\n"))[0].omega is None
+    uneven = {"time (s)": T + 1e-2 * np.median(np.diff(T)) * (-1.0) ** np.arange(len(T)), "amplitude (V)": A}
+    assert load(uneven)[0].omega is None
 
 
 def test_a_drive_that_holds_the_amplitude_is_no_part_of_the_decay():
