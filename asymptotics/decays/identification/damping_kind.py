@@ -19,7 +19,7 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.numbers.policy import exact_number
 
 DAMPING = "damping"
-COLUMNS = "A and zeta, Q or decrement (perhaps resolution), or A and force, perhaps omega"
+COLUMNS = "A and zeta, Q or decrement (perhaps resolution), or A and force, perhaps omega, phase"
 _OF_DECAYS = ("x", "unit", "columns", "rate", "springs", "amplitudes", "amplitudes_only", "omega_0")
 _NAMES = {"table": "FILE", "resolution": "noise"}
 """Arguments of the judge -> those of ``identify``."""
@@ -31,9 +31,10 @@ def opened_once(data: Any, how: How) -> Any:
     return opened(data, how) if of_columns else data
 
 
-def is_damping(data: Any, kind: str | None) -> bool:
-    """Whether it is asked for, or the names of an open source say so."""
-    return kind == DAMPING or kind is None and isinstance(data, Source) and is_of_damping(data.names)
+def is_damping(data: Any, kind: str | None, columns: str | None) -> bool:
+    """Whether it is asked for, or the names of an open source say so where ``columns`` do not say otherwise."""
+    said = kind is None and columns is None and isinstance(data, Source)
+    return kind == DAMPING or said and is_of_damping(data.names)
 
 
 def law_of_damping(data: Any, asked: Mapping[str, Any]) -> DampingLaw:

@@ -135,8 +135,11 @@ def law_of_table(
 
 def _with_phase(columns: dict[str, Any], known: bool) -> tuple[dict[str, Any], tuple[str, ...]]:
     """The columns without a phase that cannot be weighed: beside amplitudes of known errors one needs its own."""
+    if "phase_resolution" in columns and not ("phase" in columns and known):
+        less = {name: column for name, column in columns.items() if name != "phase_resolution"}
+        return less, ("not used: phase_resolution, beside which no phase or no resolution of A stands",)
     if "phase" not in columns or not known:
-        return {name: column for name, column in columns.items() if name != "phase_resolution"}, ()
+        return columns, ()
     if "phase_resolution" in columns:
         return {**columns, "phase_resolution": _positive(columns["phase_resolution"], "phase_resolution")}, ()
     return {name: column for name, column in columns.items() if name != "phase"}, (
@@ -175,16 +178,19 @@ def _losses(
 
 
 def is_of_damping(names: Sequence[str]) -> bool:
-    """Whether columns of these names are a table of damping or of a resonance, and nothing else.
+    """Whether columns of these names are a table of damping or of a resonance, and can be nothing else.
 
-    A decrement of which no more is said is that of ``identify``, A_n - A_(n+1), and none of ln(A_n/A_(n+2)).
+    A decrement of which no more is said is that of ``identify``, A_n - A_(n+1), and none of ln(A_n/A_(n+2)); beside a
+    time, or what has no name here, "a" may be an acceleration and "force" a sensor.
 
     >>> is_of_damping(["A [deg]", "zeta [%]"]), is_of_damping(["amplitude", "decrement"]), is_of_damping(["t", "A"])
     (True, False, False)
-    >>> is_of_damping(["A", "log decrement"])
-    True
+    >>> is_of_damping(["A", "log decrement"]), is_of_damping(["t", "a", "force"]), is_of_damping(["Zeit", "a", "force"])
+    (True, False, False)
     """
     found = {name: _what(name) for name in names}
+    if {"t", None} & {*found.values()}:
+        return False
     logarithmic = any(what == "decrement" and name.strip().lower()[:3] != "dec" for name, what in found.items())
     return "amplitude" in found.values() and (logarithmic or not {"zeta", "Q", "force"}.isdisjoint(found.values()))
 

@@ -2,6 +2,7 @@
 
 import io
 import json
+import math
 
 import pytest
 
@@ -59,7 +60,7 @@ def test_differences_of_amplitudes_stay_what_they_were_and_say_so():
     [
         ("--springs 3", "--springs"), ("--amplitudes 0.1:0.5", "--amplitudes"), ("--amplitudes-only", "--amplitudes"),
         ("--omega0 2", "--omega0"), ("--modes 2", "--modes"), ("--rate 5", "--rate"), ("--unit mm", "--unit"),
-        ("--columns x=1", "--columns"), ("--mass 2", "--stiffness"), ("--plot a.svg", "--plot"),
+        ("--kind damping --columns x=1", "--columns"), ("--mass 2", "--stiffness"), ("--plot a.svg", "--plot"),
         ("--laws free", "FILE"), ("--kind record", "FILE"),
     ],
 )  # fmt: skip
@@ -82,3 +83,20 @@ def test_a_law_is_not_identified_while_too_few_data_tell_nothing_of_a_term_more(
     found = asy.identify(table, laws=["1", "1+2"]).verdict
     assert found.kind == "too short or too noisy" and "too few data for a term more" in found.text
     assert asy.identify(table, laws=["1"]).verdict.kind == "identified"  # among the laws tried
+
+
+def test_a_record_beside_a_force_sensor_stays_a_record(tmp_path):
+    """Failed before: t, a, force (an acceleration and a sensor) was taken for a resonance, A under a force."""
+    t = [0.02 * i for i in range(600)]
+    motion = [math.exp(-0.05 * s) * math.cos(5 * s) for s in t]
+    sensor = [0.3 + 0.01 * math.sin(i) for i in range(600)]
+    for named in ({"t": t, "a": motion, "force": sensor}, {"time [s]": t, "a": motion, "Q": sensor}):
+        assert isinstance(asy.identify(named, laws=["1"], bootstrap=False), asy.Identification)
+    table = {"A": sensor, "zeta": sensor, "t": t, "x": motion}
+    found = asy.identify(table, laws=["1"], columns="t=t,x=x", bootstrap=False)
+    assert isinstance(found, asy.Identification)
+
+
+def test_an_error_of_a_phase_that_is_not_used_is_told():
+    table = {**FORCED, "phase_resolution": [0.01] * 4}
+    assert any("not used: phase_resolution" in note for note in asy.identify(table, laws=["1"]).notes)
