@@ -17,6 +17,7 @@ time is read as its lower end and a width.
 """
 
 from collections.abc import Sequence
+from itertools import islice, takewhile
 from typing import NoReturn
 
 from flint import arb
@@ -82,12 +83,16 @@ class _Wanted:
 
     def take(self, piece: Piece, side: int, start: arb) -> None:
         """All times up to the end of a piece of the half-swing that begins at ``start``."""
-        last = exact_sum(start, piece.end)
-        while not self.done and self.following <= last:
-            # A trap is no reason to stop, as the motion goes on in it; beyond its well it has no certified course here.
-            if piece.ended in (ESCAPES, ROTATES):
-                _refuse(piece.ended)
-            low, width = self.queue[len(self.found)]
+        last, before = exact_sum(start, piece.end), len(self.found)
+        due = list(takewhile(lambda window: window[0] <= last, islice(self.queue, before, None)))
+        # A trap is no reason to stop, as the motion goes on in it; beyond its well it has no certified course here.
+        if due and piece.ended in (ESCAPES, ROTATES):
+            _refuse(piece.ended)
+        known = piece.all_at(low - start + arb(width / 2, width / 2) for low, width in due)
+        if known is not None:
+            self.found += [(side * u, -side * w) for u, w in known]
+            return
+        for low, width in due:
             # The distance bounds both unit |u - u~| and |w - w~|, so the place has an error of 1/unit of it.  A time
             # may lie before the start by the rounding of ``start``: an expansion bounds the rates on both sides of its
             # turning point.

@@ -31,7 +31,7 @@ rows of ``linear_spring``, took 1.6 times as long for the exponent 2, 2.2 to 2.8
 '[-1.2038040963510937100 +/- ...]'
 """
 
-from collections.abc import Generator, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Protocol
@@ -176,6 +176,10 @@ class Piece:
     def own(self, t: arb) -> tuple[arb, arb]:
         """(place, w) of the piece's own orbit at an exact time from ``begin`` to ``end``."""
         raise NotImplementedError
+
+    def all_at(self, _times: Iterable[arb]) -> list[tuple[arb, arb]] | None:
+        """(u, w) of the truth at uncertain times in the piece, ascending, where many cost less than one after the other."""
+        return None
 
 
 @dataclass(frozen=True)

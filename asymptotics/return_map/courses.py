@@ -19,7 +19,7 @@ with one h for all strengths, so that one t is one angle theta, tan(theta/2) = e
 ('[-0.06610623692 +/- ...]', '[1.604523150 +/- ...]')
 """
 
-from bisect import bisect
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,9 +39,10 @@ from asymptotics.return_map.spectral import analysis, of_the_integral
 
 _WORK = 24  # bits more than asked for: a choice
 _LOW = 53  # bits of the bounds
+_FIRST, _LAST = arb(-1), arb(1)
 _SHARE = 0.93  # of the reach in doubles, as of ``half_swings``
 _MOST = 500  # nodes along the way
-_PLACES, _GIVEN_UP = 512, 40  # of the table in doubles; rounds of the secant, which ends by itself after three
+_PLACES, _GIVEN_UP = 1024, 40  # of the table in doubles; rounds of the secant, which ends by itself after two or three
 
 
 @dataclass(frozen=True)
@@ -87,7 +88,7 @@ class QuarterCourse:
     courses: "Courses"
     growth: tuple[arb_poly, arb]
     clock: tuple[arb_poly, arb]
-    table: tuple[list[float], list[float]]
+    table: list[Array]
 
     def ln_r(self, t: arb) -> arb:
         """At an exact t."""
@@ -103,38 +104,50 @@ class QuarterCourse:
             value = polynomial(t)
         return value + arb(0, error)
 
-    def near(self, s: arb) -> tuple[arb, arb]:
-        """An exact t on [-1, 1] and its time, nearly s: the t is a choice, by secants."""
-        polynomial, error = self.clock
-        guess, rate = self._guess(float(s))
-        with ctx.workprec(_precise(len(polynomial))):
-            t, slope, fine = arb(guess), arb(rate), arb(2) ** -self.courses.bits
-            time = polynomial(t)
-            for _ in range(_GIVEN_UP):
-                off = (time - s).mid()
-                there = min(max((t - off / slope).mid(), arb(-1)), arb(1))
-                if not abs(off) > fine or there == t:
-                    break
-                later = polynomial(there)
-                slope, t, time = ((later - time) / (there - t)).mid(), there, later
-        return t, time + arb(0, error)
+    def near(self, times: Sequence[arb]) -> list[tuple[arb, arb, arb]]:
+        """(r cos theta, r sin theta) in units of the amplitude at the turning point, and the time, nearly those."""
+        (growth, apart), (clock, late) = self.growth, self.clock
+        guesses, fine, found = self._guesses(np.array([float(s) for s in times])), arb(2) ** -ctx.prec, []
+        with ctx.workprec(_precise(max(len(growth), len(clock)))):
+            for s, guess, rate in zip(times, *(part.tolist() for part in guesses), strict=True):
+                t, time = _reached(clock, s, arb(guess), arb(rate), fine)
+                found.append((t, growth(t), time))
+        apart, late = arb(0, apart), arb(0, late)
+        return [(*self._state(t, ln_r + apart), time + late) for t, ln_r, time in found]
 
-    def _guess(self, s: float) -> tuple[float, float]:
-        """t and d tau/dt at the time s in doubles: a cubic between two places of a table, whose slopes it has."""
-        times, slopes = self.table
-        k = min(max(bisect(times, s) - 1, 0), len(times) - 2)
+    def _guesses(self, s: Array) -> tuple[Array, Array]:
+        """t and d tau/dt at the times s in doubles: quintics between the places of a table with two derivatives."""
+        times, rates, bends = self.table
+        k = np.clip(np.searchsorted(times, s) - 1, 0, len(times) - 2)
         width, step = times[k + 1] - times[k], 2 / _PLACES
         x = (s - times[k]) / width
-        bend = (1 - x) * (width / slopes[k] - step) + x * (step - width / slopes[k + 1])
-        t = -1 + step * (k + x) + x * (1 - x) * bend
-        return min(max(t, -1.0), 1.0), slopes[k] + x * (slopes[k + 1] - slopes[k])
+        # Hermite's: by x, dt/dx less that of the chord and d^2 t/dx^2 at both places.
+        a, b = (width / rates[j] - step for j in (k, k + 1))
+        c, d = (-(width**2) * bends[j] / rates[j] ** 3 for j in (k, k + 1))
+        first, last, xy = c / 2 + 2 * a + b, d / 2 - a - 2 * b, x * (1 - x)
+        cubic, quintic = a - (a + b) * x, first + (last - first) * x
+        t = -1 + step * (k + x) + xy * (cubic + xy * quintic)
+        speed = step + (1 - 2 * x) * (cubic + 2 * xy * quintic) + xy * (xy * (last - first) - a - b)
+        return np.clip(t, -1, 1), width / speed
 
-    def state(self, t: arb) -> tuple[arb, arb]:
-        """(r cos theta, r sin theta) in units of the amplitude at the turning point."""
-        e, r = (self.courses.h * (t - 1)).exp(), self.ln_r(t).exp()
+    def _state(self, t: arb, ln_r: arb) -> tuple[arb, arb]:
+        e, r = (self.courses.h * (t - 1)).exp(), ln_r.exp()
         square = e * e
         below = r / (1 + square)
         return (1 - square) * below, 2 * e * below
+
+
+def _reached(clock: arb_poly, s: arb, t: arb, slope: arb, fine: arb) -> tuple[arb, arb]:
+    """An exact t on [-1, 1] and its time, nearly s: the t is a choice, by secants."""
+    time = clock(t)
+    for _ in range(_GIVEN_UP):
+        off = (time - s).mid()
+        there = min(max((t - off / slope).mid(), _FIRST), _LAST)
+        if not abs(off) > fine or there == t:
+            break
+        later = clock(there)
+        slope, t, time = ((later - time) / (there - t)).mid(), there, later
+    return t, time
 
 
 @dataclass(frozen=True)
@@ -187,16 +200,15 @@ class Courses:
             raise UndecidedError("an amplitude is outside the interval of the quarter-swings")
         return QuarterCourse(self, self.growth.at(place), self.clock.at(place), self._table(float(place)))
 
-    def _table(self, place: float) -> tuple[list[float], list[float]]:
+    def _table(self, place: float) -> list[Array]:
         weights = chebvander([place], len(self.in_doubles[0]) - 1)[0]
-        times, slopes = (weights @ part for part in self.in_doubles)
-        return times.tolist(), slopes.tolist()
+        return [weights @ part for part in self.in_doubles]
 
     @cached_property
-    def in_doubles(self) -> tuple[Array, Array]:
-        """tau and d tau/dt by T_l(z), at equal steps of t."""
-        b, t = self.clock.in_doubles, np.linspace(-1, 1, _PLACES + 1)
-        return np.asarray(chebval(t, b.T), float), np.asarray(chebval(t, chebder(b.T)), float)
+    def in_doubles(self) -> list[Array]:
+        """tau, d tau/dt and d^2 tau/dt^2 by T_l(z), at equal steps of t."""
+        b, t = self.clock.in_doubles.T, np.linspace(-1, 1, _PLACES + 1)
+        return [np.asarray(chebval(t, chebder(b, order)), float) for order in range(3)]
 
 
 def _integrated(b: list[arb], start: arb) -> list[arb]:

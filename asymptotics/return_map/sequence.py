@@ -14,7 +14,7 @@
 ['[-0.673493180351 +/- ...]', '[0.543067542755 +/- ...]', '[-0.467642206192 +/- ...]']
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from flint import arb
@@ -71,7 +71,13 @@ class OnCourse(Piece):
 
     def own(self, t: arb) -> tuple[arb, arb]:
         """(place, w) off the interpolated quarters."""
-        return self.course.state(t)
+        return self.course.states([t])[0]
+
+    def all_at(self, times: Iterable[arb]) -> list[tuple[arb, arb]]:
+        """The same at many times, uncertain ones included, with the errors."""
+        # The unit is 1, and places are u itself: there is no dry friction.
+        error = arb(0, self.error)
+        return [(place + error, w + error) for place, w in self.course.states(list(times))]
 
 
 def _whole_swings(time: arb) -> int:
