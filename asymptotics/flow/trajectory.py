@@ -31,7 +31,7 @@ rows of ``linear_spring``, took 1.6 times as long for the exponent 2, 2.2 to 2.8
 '[-1.2038040963510937100 +/- ...]'
 """
 
-from collections.abc import Generator, Iterable, Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Protocol
@@ -134,7 +134,7 @@ class CertifiedFlow:
         return None
 
     def read_off(self, _u: arb, _first: "DeparturePiece", _given: arb) -> "Piece | None":
-        """The next piece after the departure from rest at u, if it is known without steps; it may begin earlier."""
+        """The piece after departing from rest at u, if known without steps; may begin earlier.  Its flow goes on."""
         return None
 
     def exact(self, _n: int) -> tuple[Fraction, bool] | None:
@@ -176,10 +176,6 @@ class Piece:
     def own(self, t: arb) -> tuple[arb, arb]:
         """(place, w) of the piece's own orbit at an exact time from ``begin`` to ``end``."""
         raise NotImplementedError
-
-    def all_at(self, _times: Iterable[arb]) -> list[tuple[arb, arb]] | None:
-        """(u, w) of the truth at uncertain times in the piece, ascending, where many cost less than one after the other."""
-        return None
 
 
 @dataclass(frozen=True)
@@ -277,6 +273,7 @@ def half_swing_pieces(
         known, reach = flow.read_off(u, first, error), first.expansion.reach
         yield from (first,) if known is None else (replace(first, end=known.begin), known)
         here = after(*((known, *known.own(known.end)) if known else (first, first.expansion.state(reach)[0], reach)))
+        flow = known.flow if known else flow
     ended: str | None = None
     for count in range(pieces):
         tick(f"piece {count} of {'a half-swing' if ended in (None, ESCAPES, ROTATES) else _BY_STEPS}")

@@ -23,7 +23,7 @@ class TimedQuarter(Protocol):
         """The time since the turning point at an exact t."""
 
     def near(self, times: Sequence[arb], /) -> list[tuple[arb, arb, arb]]:
-        """(r cos theta, r sin theta, the time) at nearly those times, in units of the amplitude at the turning point."""
+        """(r cos theta, r sin theta, the time) at nearly those times, in units of the amplitude at rest."""
 
 
 @dataclass(frozen=True)

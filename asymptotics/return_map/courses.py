@@ -10,6 +10,8 @@ with one h for all strengths, so that one t is one angle theta, tan(theta/2) = e
   ``chebyshev.cut``(G, R, m) + sqrt(2m - 1) ``apart``, that of tau_j(t) accordingly;
 * an uncertain z moves a sum of b_kl T_k(t) T_l by at most sum |b_kl| l^2 times it (Markov's inequality |T_l'| <= l^2).
 
+Derivation ``quarter-courses``.
+
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(100):
 ...     quadratic = Coordinate.of([(arb(1), ExactReal(2))])
@@ -31,6 +33,7 @@ from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import cached_property, ctx, lru_cache
 from asymptotics.return_map.chebyshev import cut, nodes
 from asymptotics.return_map.coordinate import Coordinate
+from asymptotics.return_map.half_swings import HalfSwings, Quarters
 from asymptotics.return_map.hand_overs import Bundle, doubles
 from asymptotics.return_map.panel_plan import verified, widest
 from asymptotics.return_map.quarters import FEWEST, NodeGrid, Path, found
@@ -39,6 +42,7 @@ from asymptotics.return_map.spectral import analysis, of_the_integral
 
 _WORK = 24  # bits more than asked for: a choice
 _LOW = 53  # bits of the bounds
+_SPARE = 8  # bits of the way, of which the ellipse that is proved may be smaller than the one planned: a choice
 _FIRST, _LAST = arb(-1), arb(1)
 _SHARE = 0.93  # of the reach in doubles, as of ``half_swings``
 _MOST = 500  # nodes along the way
@@ -152,13 +156,16 @@ def _reached(clock: arb_poly, s: arb, t: arb, slope: arb, fine: arb) -> tuple[ar
 
 @dataclass(frozen=True)
 class Courses:
-    """``growth`` (ln r) and ``clock`` of all quarter-swings with |z| <= ``last``, which have one ``h``."""
+    """``growth`` (ln r) and ``clock`` of all quarter-swings with |z| <= ``last``, which have one ``h``.
 
-    bits: int
+    ``swings``: the half-swings put together from their ends.
+    """
+
     last: arb
     h: arb
     growth: Along
     clock: Along
+    swings: HalfSwings
 
     @classmethod
     def up_to(cls, coordinate: Coordinate, last: arb, bits: int) -> "Courses":
@@ -176,7 +183,7 @@ class Courses:
             # An even count has no node at z = 0, where no law is left.
             places = [last * t for t in nodes(count + count % 2)]
             bundle = Bundle.together([(coordinate.damping(abs(z)), 1 if z > 0 else -1) for z in places])
-            along, rim = bundle.in_doubles.planned(bits)
+            along, rim = bundle.in_doubles.planned(bits + _SPARE)
             if along > _MOST:
                 raise UndecidedError("the quarter-swings need too many nodes")
             grid = NodeGrid.of(bundle, along)
@@ -191,7 +198,9 @@ class Courses:
                     (rates, bundle.times, cut(ellipse.majorant.excess, ellipse.R, len(places)), late),
                 )
             )
-            return cls(bits, last, bundle.h[0], growth, clock)
+            quarters = Quarters.of(path.enclosed(rim), ellipse, arb(0), last, bits)
+            swings = HalfSwings.mirrored(coordinate.root, quarters, last, bits)
+            return cls(last, bundle.h[0], growth, clock, swings)
 
     def quarter(self, z: arb) -> QuarterCourse:
         """The quarter-swing at a ball of places; UndecidedError beyond the interval."""

@@ -171,6 +171,7 @@ class ReturnMap:
                 tick()  # where the time is over, the place is not to blame
                 self.too_far = (z / 2).mid()  # a choice: nearer to 0 it is tried again
                 return None
+            self.made.append(self.courses.swings)
         return self.courses
 
     def _from_zero(self, z: arb, remaining: int) -> PanelPlan | None:
