@@ -181,9 +181,10 @@ def test_what_a_way_is_off_by_is_in_what_is_read_off():
         (growth, _), (clock, _) = honest.growth, honest.clock
         wrong = replace(honest, growth=(growth + e, e * arb("1.001")), clock=(clock + e, e * arb("1.001")))
         assert wrong.ln_r(t).contains(honest.ln_r(t).mid()) and wrong.time(t).contains(honest.time(t).mid())
-        ((x, y, time),) = wrong.near([honest.time(t).mid()])
-        ((true_x, true_y, _),) = honest.near([(time - e).mid()])
-        assert time.contains(honest.time(t).mid()) and x.contains(true_x) and y.contains(true_y)
+        s = honest.time(t).mid()
+        ((x, y, time),) = wrong.near([s])  # at the t whose true time is s - e
+        ((true_x, true_y, _),) = honest.near([(s - e).mid()])
+        assert time.contains(s - e) and x.contains(true_x) and y.contains(true_y)
         assert max(wrong.ln_r(t).rad(), wrong.time(t).rad(), time.rad(), x.rad(), y.rad()) < 2 * e
 
 
