@@ -29,6 +29,7 @@ from asymptotics.errors import InputError
 from asymptotics.numbers.policy import float_notes
 from asymptotics.running.budget import DEFAULT_SECONDS
 from asymptotics.running.public import public, public_beside_others
+from asymptotics.running.signature import readable
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -276,9 +277,7 @@ def question(
         called: Any = ask
         called.__kwdefaults__ = compute.__kwdefaults__
         timed: Any = (public if alone else public_beside_others)(called)
-        plain = get_type_hints(function)
-        kept = [p.replace(annotation=plain.get(n, p.annotation)) for n, p in signature.parameters.items()]
-        timed.__signature__ = signature.replace(parameters=kept)
+        timed.__signature__ = readable(function, get_type_hints(function))
         timed.__question__ = made
         return cast("Callable[P, T]", timed)
 

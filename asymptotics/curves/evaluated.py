@@ -3,7 +3,7 @@
 Polynomial and closed waveforms are evaluated as they stand; open integrals come from the table of ``waves`` (doubles)
 and from its balls (mpmath), the rates without a closed form from the certified half-swing at the precision asked for.
 
->>> from asymptotics.curves.solution import solution
+>>> from asymptotics.curves.solve import solution
 >>> found = solution({"3/2": "1/10"}, order=4)
 >>> [x[:25] for x in (found.at(7, digits=20).x, found.at(7, digits=60).x)]
 ['0.58239487308158191715', '0.58239487308158191714515']

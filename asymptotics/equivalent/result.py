@@ -89,8 +89,10 @@ class EquivalentDamping(Rows, Drawn):
 
     @public
     def sample(self, A: ArrayLike, *, max_seconds: Number = 60) -> dict[str, Any]:
-        """zeta, Q, decrement, energy_loss, c_eq of first order, period and omega without loss: doubles, at an array of
-        amplitudes > 0 in ``unit``."""
+        """zeta, Q, decrement, energy_loss, c_eq of first order, period and omega without loss, in doubles.
+
+        ``A``: amplitudes > 0 in ``unit``, a number or an array, whose shape all of them have.
+        """
         oscillator = self._numbers()
         amplitudes = real_array(A, "A")
         rows = [_doubles(oscillator, a * self.size) for a in np.ravel(amplitudes)]

@@ -71,7 +71,7 @@ class TurningPoint(Shown):
 
     @property
     def unit(self) -> str:
-        """The unit of x: m, rad, or none."""
+        """The unit of x, which is m, rad or none."""
         return self.frame.x
 
     def number(self, name: str = "x") -> Coefficient:
@@ -183,7 +183,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
 
     @property
     def unit(self) -> str:
-        """The unit of x: m, rad for a pendulum; none of a law alone."""
+        """The unit of x, which is m, rad for a pendulum, and none of a law alone."""
         return self.frame.x
 
     @property

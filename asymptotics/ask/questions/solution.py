@@ -14,7 +14,8 @@ from asymptotics.bounds.motion import proved_bound
 from asymptotics.curves.double_errors import of_solution
 from asymptotics.curves.implicit import ImplicitSolution
 from asymptotics.curves.shown_solution import SolutionPoint
-from asymptotics.curves.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
+from asymptotics.curves.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution
+from asymptotics.curves.solve import solution
 from asymptotics.errors import InputError
 from asymptotics.law import LawLike, Oscillator
 from asymptotics.law_given import Given
