@@ -41,13 +41,13 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes, require_one
 from asymptotics.present.drawn import Drawn, below
 from asymptotics.present.shown import Page
-from asymptotics.running.budget import seconds_left
+from asymptotics.running.budget import Unasked, seconds_left
 from asymptotics.running.public import public
 
 Array = Any
 # 15 digits of the reference are what a double shows; 120 s (the estimates are good to a factor of three) bound the work
 # of a curve.  They refuse, they decide no digit.
-DIGITS, MAX_SECONDS = 15, 120
+DIGITS, MAX_SECONDS = 15, Unasked(120)
 # Points of a drawing: an expansion costs microseconds a point, a reference a certified step or more.
 POINTS, ERROR_POINTS, REFERENCE_POINTS = 4001, 241, 401
 
@@ -78,12 +78,12 @@ class Motion(Drawn):
         require_one(t, "t", "sample(t)")
         time, notes = exact_number(t, "t"), (*self.notes, *float_notes(t=t))
         if digits is not None:
-            return self._told(self._motion.at(time, exact_integer(digits, "digits", 1, 300)), notes)
+            return self._with_frame(self._motion.at(time, exact_integer(digits, "digits", 1, 300)), notes)
         # Thirty digits of an expansion that is right to five would mislead: they are asked for by ``digits``.
-        return self._told(self._motion.at(time).rounded_to_error(), notes)
+        return self._with_frame(self._motion.at(time).rounded_to_error(), notes)
 
-    def _told(self, point: MotionPoint, notes: tuple[str, ...]) -> MotionPoint:
-        return replace(point.noted(notes), frame=self.frame)
+    def _with_frame(self, point: MotionPoint, notes: tuple[str, ...]) -> MotionPoint:
+        return replace(point.with_notes(notes), frame=self.frame)
 
     @public
     def bound(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
@@ -186,7 +186,7 @@ class Reference(ProvedStates, Drawn):
             static=self.static,
             max_seconds=seconds_left(),
         )
-        return replace(point.noted((*self.notes, *float_notes(t=t))), frame=self.frame)
+        return replace(point.with_notes((*self.notes, *float_notes(t=t))), frame=self.frame)
 
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:

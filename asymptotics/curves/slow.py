@@ -317,7 +317,7 @@ class Envelope(SlowNumbers, Drawn):
         title, *rest = str(self).splitlines()
         rows = tuple((f"kappa_{i}", k) for i, k in enumerate(self.kappas(digits=12), start=1))
         end = self.extinction_time(digits=12)
-        rows += () if end is None else (("extinct from", self.frame.told("t", end)),)
+        rows += () if end is None else (("extinct from", self.frame.with_unit("t", end)),)
         worth = "certified digits of the averaged law (first order); how far it is from the motion, motion() tells"
         return Page(title, (*rest, worth, f"{self.oscillator}", *self.notes), ("", "value"), rows)
 

@@ -143,13 +143,13 @@ class Solution(ProvedCurve):
         # D, not tau, is the variable of the series: A_0 and D hold all of the dependence on time.
         A_0, slow = self.leading
         found = A_0 * self.relative.subs(D, slow)
-        return self._put(found if self.start is None else a_0 * self.begun(found))
+        return self._put(found if self.start is None else a_0 * self.with_start_strength(found))
 
     @cached_property
     def phase(self) -> Expr:
         """phi in the same letters, 0 at a start at rest."""
         found = self.slow_phase.subs(D, self.leading[1])
-        return self._put(found if self.start is None else phi_0 + self.begun(found))
+        return self._put(found if self.start is None else phi_0 + self.with_start_strength(found))
 
     @property
     def letters(self) -> dict[Expr, Expr]:
@@ -158,7 +158,7 @@ class Solution(ProvedCurve):
             return {}
         return {a_0: self.start[0], phi_0: self.start[1], epsilon_0: epsilon * a_0 ** (self.alpha - 1)}
 
-    def begun(self, found: Expr) -> Expr:
+    def with_start_strength(self, found: Expr) -> Expr:
         """The same with epsilon_0, the local strength at the start, in the place of epsilon."""
         return found if self.start is None else found.subs(epsilon, epsilon_0)
 
@@ -206,7 +206,7 @@ class Solution(ProvedCurve):
             return sympy.oo
         # Below 1 delta = epsilon D grows as A falls: epsilon D = 1 solved for tau.  It is no bound, the letter of the
         # series becomes 1 there.
-        end = self._put(self.begun((1 - epsilon) / ((1 - self.alpha) * self.p_1 * epsilon)))
+        end = self._put(self.with_start_strength((1 - epsilon) / ((1 - self.alpha) * self.p_1 * epsilon)))
         return end if self.alpha.is_number else Piecewise((end, self.alpha < 1), (sympy.oo, True))
 
     @public

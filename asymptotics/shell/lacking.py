@@ -15,14 +15,14 @@ import re
 def lacking(parser: argparse.ArgumentParser, message: str) -> str:
     """What argparse says of missing arguments, as one would have written them and with what they mean."""
     if found := re.fullmatch(r"argument (--[a-z0-9-]+): expected (?:one|at least one) argument", message):
-        return _told(parser, found[1], ": its value is missing")
+        return _missing(parser, found[1], ": its value is missing")
     lead, _, names = message.partition("the following arguments are required: ")
     if lead or not names:
         return message
-    return "; ".join(_told(parser, name, " is missing") for name in names.split(", ") if name != "...")
+    return "; ".join(_missing(parser, name, " is missing") for name in names.split(", ") if name != "...")
 
 
-def _told(parser: argparse.ArgumentParser, name: str, fault: str) -> str:
+def _missing(parser: argparse.ArgumentParser, name: str, fault: str) -> str:
     action = next((a for a in parser._actions if name in (*a.option_strings, a.metavar, a.dest)), None)
     if action is None:
         return f"argument {name}{fault}"

@@ -76,7 +76,7 @@ def _text(found: SolutionAtTime, request: Request) -> str:
         frame = cast("Given", request["law"]).frame
         # No phase is told where the mass is held or the amplitude has vanished.
         values = {name.removesuffix("_value"): text for name, text in found.values.items() if text}
-        lines += [f"{name:10} {frame.told(name, text)}" for name, text in values.items()]
+        lines += [f"{name:10} {frame.with_unit(name, text)}" for name, text in values.items()]
     lines += ["bound: proved, |x - x_N| is at most this"] if found.bound is not None else []
     return "\n".join(lines)
 

@@ -22,7 +22,7 @@ from asymptotics.expansions.normal_form.coefficients import expansion_coefficien
 from asymptotics.expansions.normal_form.results import Coefficients
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.law import LawLike, SpringLike
-from asymptotics.numbers.policy import Number, exact_integer, exact_seconds
+from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.running.public import public
 from asymptotics.terms import Term
 
@@ -81,7 +81,6 @@ def expand(
     ('0.4576558581', '-12/(25*pi)')
     """
     N, D = exact_integer(order, "order", 1, MAX_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
-    seconds = exact_seconds(max_seconds)
     require_gauge(gauge)
     require_flag(exact, "exact")
     if isinstance(law, str) and law.strip() == "symbolic":
@@ -91,7 +90,7 @@ def expand(
     terms, strengths, oscillator, notes = terms_of(law, spring)
     if len(terms) > MAX_TERMS:
         raise InputError("law", f"{len(terms)} different terms are too many", f"at most {MAX_TERMS}")
-    found = expansion_coefficients(terms, N, D, gauge, exact_only=exact, max_seconds=seconds)
+    found = expansion_coefficients(terms, N, D, gauge, exact_only=exact)
     return _equations(found, terms, law=strengths, oscillator=oscillator, notes=notes)
 
 
