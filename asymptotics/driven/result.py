@@ -37,7 +37,7 @@ class Response(ResponsePage):
     ``harmonics``: n -> amplitude and phase of A_n cos(n theta - phase_n); ``difference``: amplitude and phase less
     those of first order, the digits that are proved, three at most, beside the estimate ``first_order.error``.
 
-    ``frame``: the units of the numbers.  Not ``certified``: these are None, ``notes`` say why, the first order is there.
+    ``frame``: the units of the numbers.  Not ``certified``: these are None, ``notes`` say why, first order is there.
     """
 
     oscillator: Oscillator
