@@ -343,7 +343,7 @@ def envelope(law: LawLike, *, averaging: str = MEAN, max_seconds: Number = 60) -
     law
         a mapping exponent -> strength (epsilon, where m = k = x0 = 1), a ``Law``, or an ``Oscillator`` (b, in SI)
     averaging
-        "mean", of the loss over a cycle (Lancaster 2020), or "squaring", of the power (Lelas 2024)
+        "mean" (Lancaster 2020), or "squaring", with 2^(-(alpha+1)/2) in the place of M_(alpha+1) (Lelas 2024)
     max_seconds
         the time the call may take, in s
 
