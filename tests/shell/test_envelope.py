@@ -76,10 +76,11 @@ def test_the_envelope_of_sums_extinction_and_certified_digits_at_irrational_expo
     assert (squaring["extinction"], squaring["phase"]) == ("12.894", None)
 
 
+@pytest.mark.parametrize("averaging", ["", "--squaring"])
 @pytest.mark.parametrize(("one", "other"), PAIRS)
-def test_the_time_formula_is_the_inverse_of_the_certified_amplitude(capsys, one, other):
+def test_the_time_formula_is_the_inverse_of_the_certified_amplitude(capsys, one, other, averaging):
     """tau(A(5)) = 5: the kappas of the formula are the printed ones, also where one is 0 or the order is turned."""
-    found = answer(capsys, f"envelope --law {one} --law {other} --time 5 --digits 20")
+    found = answer(capsys, f"envelope --law {one} --law {other} --time 5 --digits 20 {averaging}")
     names = {f"kappa_{i}": sympy.Float(k, 20) for i, k in enumerate(found["kappas"], start=1)}
     formula = sympy.sympify(found["time_formula"])
 
@@ -217,3 +218,28 @@ def test_the_header_says_what_the_table_depends_on(capsys, tmp_path):
     target.write_text(target.read_text().replace("[envelope", "[motion"))
     code, _, err = run(capsys, f"compare {target}")
     assert code == 2 and "names no command that is asked again" in err
+
+
+def test_the_rates_that_are_printed_are_those_of_the_averaging(capsys):
+    """1/(1 + kappa tau) of either averaging is its amplitude; the kappa of the other one is off by a fifth."""
+    values = {}
+    for averaging in ("", "--squaring"):
+        found = answer(capsys, f"envelope --alpha 2 --epsilon 1/10 --time 10 --digits 15 {averaging}")
+        values[averaging] = float(found["kappas"][0])
+        assert float(found["amplitude"]) == pytest.approx(1 / (1 + 10 * values[averaging]), rel=1e-14)
+    assert values["--squaring"] == pytest.approx(0.1 / 8**0.5, rel=1e-14)  # Lelas 2024: <sin^2>^(3/2)
+    assert values[""] / values["--squaring"] == pytest.approx(1.2004, abs=1e-4)
+
+
+def test_ties_of_the_squaring_trick_are_rounded_as_exact_numbers():
+    kappas = asy.envelope({3: "1/8", 1: "3"}, averaging="squaring").kappas(digits=2)
+    assert kappas == ("0.031", "1.5")  # 1/32 = 0.03125
+    assert asy.envelope({1: "0.25"}, averaging="squaring").kappas(digits=2) == ("0.12",)  # 0.125, to even
+    assert asy.envelope({2: "sqrt(2)"}, averaging="squaring").kappas(digits=2) == ("0.50",)  # sqrt(2) 2^(-3/2)
+
+
+def test_the_squaring_trick_has_no_phase_and_no_motion():
+    for ask in (lambda e: e.phase(3), lambda e: e.sample([3.0])):
+        ask(asy.envelope({2: "1/10"}))
+        with pytest.raises(asy.InputError, match="averaging.*squaring gives an amplitude alone"):
+            ask(asy.envelope({2: "1/10"}, averaging="squaring"))
