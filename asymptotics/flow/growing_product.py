@@ -37,8 +37,8 @@ products take 0.3 of the 2 ms of a step, in 1000 2.1 of 20 ms.  Sizes of blocks 
 took 1.0 to 1.1 times as long, as short products cost 40 ns a pair in 300 bits and 190 in 1000; Newton's method for all
 coefficients at once, whose variational equation (u', w') and its Wronskian solve, 0.85 times in 80 bits, 1.25 in 300
 and 1000, and its balls had half of the bits.  One step of it from the first half, whose variational equation is solved
-by its recurrence (``taylor``), is what pays for few coefficients: 0.7 times in 80 and 120 bits, 0.95 in 150, 1.3 in 300, where
-the logarithm and the exponential alone take 25, 150 and 790 microseconds."""
+by its recurrence (``taylor``), is what pays for few coefficients: 0.7 times in 80 and 120 bits, 0.95 in 150, 1.3 in
+300, where the logarithm and the exponential alone take 25, 150 and 790 microseconds."""
 
 
 def block_for(order: int) -> int:
