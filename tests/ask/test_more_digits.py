@@ -14,11 +14,15 @@ from asymptotics.shell.main import main
 from tests.every_question import example, in_world, options_of
 
 NUMBER = re.compile(r"[+-]?\d+(?:\.(\d+))?(?:e([+-]?\d+))?")
-ASKED = [name for name in QUESTIONS if "--digits" in options_of(name)]
+ASKED = [
+    name for name in QUESTIONS if "--digits" in options_of(name) and name != "compare"
+]  # whose answers count digits
+SIZES = ("enclosure", "radius", "tail")
+"""How wide a ball is, or its ends: more digits need narrower ones."""
 WORLDS = ("SI", "a start in motion", "air and a spring x^3", "a sum with dry friction")
 MORE = {  # what an example leaves out
     "envelope": ("--time=7", "--time=7 --order=3", "--time=7 --squaring", "--time=7 --slow=1/20"),
-    "expand": ("--order=5 --gauge=averaging", "--best-order=1/3", "--remainder"),
+    "expand": ("--order=5 --gauge=averaging", "--best-order=1/3", "--order=3 --bound"),
     "damping": ("--order=3", "--spring=pendulum --unit=deg"),
     "motion": ("--order=4", "--gauge=averaging", "--bound"),
     "turning-points": ("--times --start=5", "--times --v0=1/2"),
@@ -35,7 +39,7 @@ def numbers(found, path=""):
     """(where, text) of every number in an answer."""
     if isinstance(found, dict | list):
         for key, value in found.items() if isinstance(found, dict) else enumerate(found):
-            yield from numbers(value, f"{path}.{key}") if key != "made_by" else ()
+            yield from numbers(value, f"{path}.{key}") if key not in ("made_by", *SIZES) else ()
     elif isinstance(found, str) and NUMBER.fullmatch(found):
         yield path, found
 
@@ -57,6 +61,7 @@ def wrong(few, many):
 @pytest.mark.parametrize(("name", "world", "more"), CASES)
 def test_more_digits_are_the_same_number(capsys, tmp_path, name, world, more):
     words = in_world(name, tmp_path, world) if world else example(name, tmp_path)
+    words = ["smith", "t", "--u=1/4", "--w=-1/4", "--tau=3"] if name == "smith" else words  # f is exact
     own = {word.partition("=")[0] for word in more.split()} | {"--digits"}
     words = [w for w, before in zip(words, ["", *words]) if w not in own and (before not in own or w.startswith("--"))]
     found = []
@@ -64,7 +69,7 @@ def test_more_digits_are_the_same_number(capsys, tmp_path, name, world, more):
         assert main([*words, *more.split(), f"--digits={digits}", "--json"]) == 0
         found.append(json.loads(capsys.readouterr().out))
     assert not [*wrong(*found)]
-    assert name in ("compare", "sweep", "papers") or len([*numbers(found[0])]) > 0
+    assert [*numbers(found[0])]
 
 
 def test_a_digit_of_a_double_is_noticed():
