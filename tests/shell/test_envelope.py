@@ -4,6 +4,7 @@ import csv
 import json
 import math
 
+import mpmath
 import pytest
 import sympy
 
@@ -243,3 +244,19 @@ def test_the_squaring_trick_has_no_phase_and_no_motion():
         ask(asy.envelope({2: "1/10"}))
         with pytest.raises(asy.InputError, match="averaging.*squaring gives an amplitude alone"):
             ask(asy.envelope({2: "1/10"}, averaging="squaring"))
+
+
+SI = "--alpha 2 --damping 1/10 --mass 3/2 --stiffness 30 --x0 1/5"
+
+
+@pytest.mark.parametrize(("line", "length", "rate"), [("--alpha 2 --epsilon 1/10", 1, 1), (SI, "1/5", "sqrt(20)")])
+def test_every_digit_of_an_order_is_that_of_its_formula(capsys, line, length, rate):
+    """45 digits, beside mpmath's value of the printed formula and those of the solution; a double ends at the 17th."""
+    found = answer(capsys, f"envelope {line} --time 7 --order 3 --digits 45")
+    other = answer(capsys, f"solution {line} --time 7 --order 3 --digits 45")
+    assert (found["amplitude"], found["phase"]) == (other["amplitude_value"], other["phase_value"])
+    with mpmath.workdps(60):
+        epsilon, length = (mpmath.mpf(1) / (10 if rate == 1 else 75), mpmath.mpf(sympy.N(length, 60)))
+        u = 1 + 4 * epsilon * 7 * mpmath.mpf(sympy.N(rate, 60)) / (3 * mpmath.pi)
+        A = length * (1 + epsilon**2 * (1 / u**2 - 1 / u) / 90) / u
+        assert abs(mpmath.mpf(found["amplitude"]) - A) < mpmath.mpf(10) ** -45
