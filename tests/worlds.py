@@ -133,6 +133,8 @@ WELLS = {  # springs that are not linear: no closed energy, a period that depend
 }
 WORLDS = EVERYDAY | POWERS | CREEPING | NEAR_EQUAL | WELLS
 DECAYING = [name for name in EVERYDAY if not name.startswith("gains")]
+RIVALS = ["1", "2", "1+2", "0+1"]
+"""The laws that ``identify`` chooses from where four are enough: three true ones and a sum that contains one."""
 OSCILLATOR = WORLDS["SI"].oscillator
 """The one that is taken where one with units is enough."""
 
