@@ -32,6 +32,7 @@ LAYERS = [  # a module may import its own room and what stands before it; a room
     "graded",
     "expansions.moments",
     "terms",
+    "terms_given",
     "law",
     "frames",
     "law_given",

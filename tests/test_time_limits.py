@@ -6,6 +6,9 @@ from pathlib import Path
 
 import pytest
 
+import asymptotics as asy
+from asymptotics.running.budget import budget
+
 HANGS = "def test_without_end():\n    while True:\n        pass\n"
 
 
@@ -48,3 +51,31 @@ def test_a_case_with_another_name_is_noticed():
 @pytest.mark.slow
 def test_a_slow_test_has_a_longer_limit(request):
     assert request.node.get_closest_marker("timeout").args[0] > float(request.config.getini("timeout"))
+
+
+class StartedError(Exception):
+    """The work has begun."""
+
+
+DEAR = {  # more than a minute each, and less than a day
+    "turning points": lambda: asy.turning_points({"3/2": 1}, 50_000, digits=200),
+    "turning points of 2": lambda: asy.turning_points({2: "1/10"}, 100_000, digits=1000, times=True),
+    "half-swing": lambda: asy.half_swing("3/2", order=200, digits=1000),
+    "expand": lambda: asy.expand("3/2", order=200, digits=1000),
+    "expand, exact": lambda: asy.expand([1, 2, 3, 4], order=14),
+    "multiple scales, odd": lambda: asy.multiple_scales([1, 3, 5], order=60),
+    "table": lambda: asy.table("turning-points", alpha="3/2", epsilon=1, rows=50_000, digits=200),
+    "stokes": lambda: asy.stokes("101/100", digits=60),
+    "curve": lambda: asy.reference({"3/2": "1/10"}).sample([0.0, 1e8]),
+}
+
+
+@pytest.mark.parametrize("ask", DEAR.values(), ids=DEAR)
+def test_what_is_too_much_for_a_minute_begins_where_more_time_is_given(ask):
+    def started(stage):
+        raise StartedError(stage)
+
+    with pytest.raises(asy.LimitError):
+        ask()
+    with pytest.raises(StartedError), budget(1e7, started):
+        ask()
