@@ -37,9 +37,8 @@ class Proved:
     statements: tuple[str, ...] = ()
 
 
-def turned(law: LawLike, count: int, digits: int | None = None) -> Certificate:
-    """Of turning points with times, to ``DIGITS``: a law alone in units of the start, an oscillator in m and s."""
-    digits = digits or DIGITS
+def turned(law: LawLike, count: int, digits: int = DIGITS) -> Certificate:
+    """Of turning points with times: a law alone in units of the start, an oscillator in m and s."""
     if isinstance(law, Oscillator):
         return of_turning_points(law, turning_points_in_units(law, count, digits=digits, times=True))
     return of_turning_points(law, turning_points(Law.read(law), count, digits, times=True))

@@ -34,7 +34,6 @@ def few_laws():
         patch.setattr(validity_map, "ORDERS", (1,))
         patch.setattr(build, "renderings", partial(renderings, dpi=40))
         patch.setattr(certificates, "TABLE_DIGITS", 8)
-        patch.setattr(certificates, "DIGITS", 8)
         yield
 
 
