@@ -61,7 +61,8 @@ class Identification(Alike, Rows, Drawn):
         """Of each law of the verdict (three at most) words, equation, strengths and Q; what all of them say of Q; and
         Q of the envelope, which needs no law."""
         laws = self.of_the_verdict
-        found = [line for answer in laws[:MANY] for line in answer.lines]
+        # A law without strengths, of which nothing was found, heads no answer.
+        found = [line for answer in laws[:MANY] if answer.law.epsilon for line in answer.lines]
         together = agreed([answer.law for answer in laws], self.units)
         return (*found, *([] if together is None else [str(together)]), *self._bare_lines())
 
