@@ -64,7 +64,7 @@ class MeasuredEnvelope:
     def _at(self, row: Ends) -> dict[str, Any]:
         """The period in the file's unit of time, and omega in rad/s, at an amplitude."""
         period = {name: row[name] for name in _INVERTED}
-        omega = {name: 2 * pi / (SECONDS[self.time] * row[by]) for name, by in _INVERTED.items()}
+        omega = _inverse(row, 2 * pi / SECONDS[self.time])
         return {"amplitude": f"{row['amplitude']:.6g}", "period": _texts(period), "omega": _texts(omega)}
 
     @property
@@ -86,6 +86,20 @@ class MeasuredEnvelope:
             quality = f"rate of decay {', '.join(self._each(self.decay_rate))} 1/{self.time}; no Q: {self.untold}"
         parts = (period, chirp, quality, life)
         return "envelope, before any law: " + "; ".join(part for part in parts if part)
+
+    def rows(self) -> list[tuple[str, Ends]]:
+        """What is told, one number with its interval for each name."""
+        found = [(f"Q at {self._place(row)}", row) for row in self.quality]
+        found += [(f"zeta at {self._place(row)}", _inverse(row, 0.5)) for row in self.quality]
+        found += [(f"period at {self._place(row)} [{self.time}]", row) for row in self.backbone]
+        turn = 2 * pi / SECONDS[self.time]
+        found += [(f"omega at {self._place(row)} [rad/s]", _inverse(row, turn)) for row in self.backbone]
+        found += [(f"rate of decay at {self._place(row)} [1/{self.time}]", row) for row in self.decay_rate]
+        whole = {"period": self.period if not self.backbone else None, "half-life": self.half_life}
+        return found + [(f"{name} [{self.time}]", ends) for name, ends in whole.items() if ends is not None]
+
+    def _place(self, row: Ends) -> str:
+        return f"{row['amplitude']:.6g} {self.unit}".rstrip()
 
     def _each(self, rows: tuple[Ends, ...]) -> list[str]:
         return [f"{_span(row)} at {row['amplitude']:.3g} {self.unit}".rstrip() for row in rows]
@@ -183,6 +197,11 @@ def _quality(amplitude: float, fall: Ends, stride: float) -> Ends:
     """Q = pi/2 over the fall in a half-swing; without a limit where that may be 0."""
     ends = {name: pi / 2 * stride / fall[by] if fall[by] > 0 else inf for name, by in _INVERTED.items()}
     return {"amplitude": amplitude, **ends}
+
+
+def _inverse(row: Ends, of: float) -> Ends:
+    """``of`` over the ends of an interval, whose order turns round."""
+    return {name: of / row[by] for name, by in _INVERTED.items()}
 
 
 def _rate(amplitude: float, fall: Ends, half_swing: float) -> Ends:
