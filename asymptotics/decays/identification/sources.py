@@ -63,8 +63,13 @@ def load(
         return [replace(run, time_unit=table.clock) for run in found]
     except InputError as error:
         # A column that was taken wrongly may be why: the refusal names it, and those that swing more.
-        told = table.read_as() if error.argument.startswith("FILE") else ""
-        raise type(error)("FILE", f"{error.reason}; {told}", error.accepted) if told else error from None
+        if not error.argument.startswith("FILE"):
+            raise
+        told = table.read_as()
+        # Of two or three amplitudes only the loss between them can be told.
+        few = len(next(iter(table.columns.values()))) < LEAST_POINTS
+        accepted = error.accepted + ("; two amplitudes and a time: --kind damping" if few else "")
+        raise type(error)("FILE", f"{error.reason}; {told}" if told else error.reason, accepted) from None
 
 
 def _motions(table: RecordTable, modes: int = 1) -> list[Observations]:

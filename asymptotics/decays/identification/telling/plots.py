@@ -90,7 +90,8 @@ def _decay(axes: Any, law: Judged, unit: str) -> None:
             axes.plot(t / scale, x, ".", markersize=2, color="0.6", label="samples")
     n, measured, _ = measured_sizes(fit)
     side = seen.sign[0] * np.where(n % 2, -1.0, 1.0)
-    sides, points = (1, -1), "turning points"
+    sides: tuple[int, ...] = (1, -1)
+    points = "turning points"
     if seen.spacing is not None:  # amplitudes at times, which have no sides
         clock = seen.time_unit or "s"
         place, abscissa = place * seen.spacing / SECONDS[clock], f"t ({clock})"

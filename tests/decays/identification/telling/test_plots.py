@@ -139,7 +139,7 @@ def test_an_envelope_is_drawn_over_time_with_errors_of_its_own_size():
     line, points = figure.axes[0].lines
     assert figure.axes[0].get_xlabel() == "t (ms)" and points.get_xdata()[-1] == pytest.approx(59.75)
     assert points.get_ydata() == pytest.approx(size, rel=1e-3) and line.get_ydata()[-1] == pytest.approx(
-        np.exp(-3), rel=1e-3
+        np.exp(-59.75 / 20), rel=1e-3
     )
     plt.close(figure)
     fit = answer.best.law.fit
