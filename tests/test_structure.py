@@ -313,14 +313,6 @@ def test_the_command_line_starts_without_heavy_libraries():
     assert output.strip() == "[]"
 
 
-def test_the_thorough_tests_exist():
-    names = (ROOT / "tests" / "thorough.txt").read_text().splitlines()
-    assert names == sorted({*names})
-    for path, function in (name.split("[")[0].split("::") for name in names):
-        text = (ROOT / path).read_text()
-        assert f"def {function}(" in text or ">>>" in text and not path.startswith("tests/"), function
-
-
 LISTED = {
     ".ci", ".gitignore", "CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "LICENSE", "Makefile", "README.md",
     "asymptotics",

@@ -10,12 +10,10 @@ averaged equation (Krylov and Bogoliubov; Bogoliubov and Mitropolsky, 1961) is s
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import partial
 from typing import Any
 
 import numpy as np
 import sympy
-from flint import arb
 from numpy.typing import ArrayLike
 
 from asymptotics.curves.envelope_order import acting_term, amplitude_and_phase, require_rest
@@ -26,7 +24,7 @@ from asymptotics.curves.slow_series import MAX_ORDER as MAX_SERIES_ORDER
 from asymptotics.curves.slow_series import EnvelopeSeries, envelope_series
 from asymptotics.curves.slowness import SlowPart, slow_part
 from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
-from asymptotics.envelopes.first_order import FirstOrderEnvelope, exact_kappa
+from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.envelopes.hypergeometric import time_of_amplitude
 from asymptotics.envelopes.long_time import extinction, long_time
 from asymptotics.envelopes.slow_time import epsilon
@@ -40,8 +38,6 @@ from asymptotics.motions.certify import time_of
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
-from asymptotics.numbers.decimals import certified_decimal
-from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, require_one
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
@@ -79,6 +75,7 @@ class Envelope(SlowNumbers, Drawn):
     def phase(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
         """phi at the time ``t`` (s, or tau) in rad, to ``digits``, correctly rounded; turning-point gauge."""
         require_one(t, "t", "phases(t)")
+        self._require_phase()
         return self._law.phase(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
@@ -131,16 +128,8 @@ class Envelope(SlowNumbers, Drawn):
 
     @public
     def kappas(self, *, digits: int = 30, max_seconds: Number = 60) -> tuple[str, ...]:
-        """kappa_i = M_(alpha_i+1) epsilon_i, to ``digits`` significant digits, correctly rounded."""
-        D = exact_integer(digits, "digits", 1, MAX_DIGITS)
-        terms = self.oscillator.dimensionless.terms
-
-        def rate(i: int) -> arb | ExactReal:
-            # A rational rate may be a tie between two decimals, which no ball tells from its neighbours; other rates
-            # are balls.
-            return exact_kappa(terms[i]) or self.oscillator.kappas()[i]
-
-        return tuple(certified_decimal(partial(rate, i), D) for i in range(len(terms)))
+        """kappa_i of this averaging (``envelope``), to ``digits`` significant digits, correctly rounded."""
+        return self._law.kappas(exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @property
     def formula(self) -> ClosedForm | None:
@@ -197,6 +186,11 @@ class Envelope(SlowNumbers, Drawn):
         """
         return long_time(self._symbols())
 
+    def _require_phase(self) -> None:
+        """InputError for the squaring trick, which is one for the amplitude."""
+        if self.averaging != MEAN:
+            raise InputError("averaging", f"{self.averaging} gives an amplitude alone, without a phase", MEAN)
+
     def _alone(self) -> AveragedLaw | None:
         """The one law in closed form."""
         alphas = list(self._symbols())
@@ -210,6 +204,7 @@ class Envelope(SlowNumbers, Drawn):
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """Arrays of A, phi and x = A cos(omega_0 t + phi) at the times ``t`` (s, or tau): doubles."""
+        self._require_phase()
         return replace(AsymptoticMotion.of(self.oscillator, 1).sample(times_of(t)), frame=self.frame)
 
     @public
@@ -322,7 +317,8 @@ class Envelope(SlowNumbers, Drawn):
         return Page(title, (*rest, worth, f"{self.oscillator}", *self.notes), ("", "value"), rows)
 
     def _letters(self) -> dict[str, str]:
-        return {"A": "slow amplitude; A(0) at the start"}
+        own = {} if self.averaging == MEAN else {r"\kappa": "2^(-(alpha+1)/2) epsilon, the rate of the squaring trick"}
+        return {"A": "slow amplitude; A(0) at the start", **own}
 
     def _formula(self) -> str:
         form = self.formula
@@ -343,7 +339,7 @@ def envelope(law: LawLike, *, averaging: str = MEAN, max_seconds: Number = 60) -
     law
         a mapping exponent -> strength (epsilon, where m = k = x0 = 1), a ``Law``, or an ``Oscillator`` (b, in SI)
     averaging
-        "mean", of the loss over a cycle (Lancaster 2020), or "squaring", of the power (Lelas 2024)
+        "mean" (Lancaster 2020), or "squaring", with 2^(-(alpha+1)/2) in the place of M_(alpha+1) (Lelas 2024)
     max_seconds
         the time the call may take, in s
 
