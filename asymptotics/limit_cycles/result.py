@@ -73,7 +73,15 @@ class LimitCycle(Rows, Drawn):
         rows = tuple((name, key, c, c.exact or "") for name, key, c in self._named() if not c.is_zero)
         lines = (*proved, worth) if rows else proved
         head = ("series", "power of mu", "value", "exact") if rows else ()
-        return Page(f"limit cycle of x'' + x + mu ({self.law}) = 0", lines, head, rows)
+        return Page(f"limit cycle of {self.equation}", lines, head, rows)
+
+    @property
+    def equation(self) -> str:
+        """The equation of motion as text: mu multiplies the losses, springs stand beside x."""
+        springs = signed_sum(self.law.springs)
+        beside = f" {springs}" if springs.startswith("-") else f" + {springs}" if springs else ""
+        beside = beside.replace(" -", " - ", 1) if beside.startswith(" -") else beside
+        return f"x'' + x{beside} + mu ({signed_sum(self.law.losses)}) = 0"
 
     def _curve(self, axes: Any, **style: Any) -> None:
         """Amplitude (over that at mu = 0) and frequency against mu, the certified cycle as points."""
