@@ -106,7 +106,7 @@ LAWS = [
     Ladder(("asymptotics.envelopes.first_order.FirstOrderEnvelope.laws",), lambda _: [k for _, k in ENVELOPE.laws()]),
     Ladder(
         tuple(f"asymptotics.envelopes.first_order.FirstOrderEnvelope.{name}_ball" for name in ("amplitude", "phase")),
-        lambda x: [ENVELOPE.amplitude_ball(x), ENVELOPE.phase_ball(x)],
+        lambda x: [ENVELOPE.amplitude_ball(x), ENVELOPE.lag_ball(x)],
         "5",
         16,
         2,
