@@ -27,13 +27,13 @@ QUICK = {  # public methods without a time, and why it is bounded by what they a
     "what is known, as text or data": {
         "to_dict", "to_json", "to_text", "to_csv", "to_csv_file", "to_latex", "to_parquet", "latex", "latex_shape",
         "to_dataframe", "save", "shape",
-        "told", "text", "keyed", "named", "get", "keys", "items", "values", "noted", "rounded_to_error",
-        "header", "table", "definitions", "shown_waves", "named_columns",
+        "told", "text", "keyed", "named", "get", "keys", "items", "values", "with_notes", "rounded_to_error",
+        "header", "table", "definitions", "shown_waves", "with_start_strength", "named_columns",
     },
     "hands its time on to what checks": {"check"},
     "what is known, of one row or one letter": {
-        "axis", "begun", "beside", "c", "d", "errors", "law", "lost_digits", "physical", "row", "rows", "strengths",
-        "unit", "unit_of_loss",
+        "axis", "beside", "c", "d", "errors", "law", "lost_digits", "physical", "row", "rows", "strengths",
+        "unit_of_loss", "with_unit",
     },
     "an interval, and one beside it": {"contains", "stretched", "widened"},
     "draws: what it computes has the time of ``sample``, and a page gives it five seconds": {"plot", "picture"},

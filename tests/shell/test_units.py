@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from asymptotics.ask.registry import QUESTIONS, loaded
-from asymptotics.curves.solution import solution
+from asymptotics.curves.solve import solution
 from asymptotics.law import Oscillator
 from asymptotics.made_by import mark
 from asymptotics.shell.main import main

@@ -84,9 +84,9 @@ RUNS = Kind(
 )  # fmt: skip
 BESIDE = Kind("", lambda value, _: value, words=True, in_shell=False)
 KIND = TEXT.called(
-    letter="KIND", group=_DATA, told=f": {', '.join((*KINDS, DAMPING))}; default: found from the columns"
+    letter="KIND", group=_DATA, suffix=f": {', '.join((*KINDS, DAMPING))}; default: found from the columns"
 )
-UNIT = TEXT.called(letter="U", group=_DATA, told=f": {', '.join(UNITS)}; with milliseconds: mm,ms")
+UNIT = TEXT.called(letter="U", group=_DATA, suffix=f": {', '.join(UNITS)}; with milliseconds: mm,ms")
 WORDS = Kind("LAW", lambda words, _: words, words=True, several=True)
 BOOTSTRAP = Kind(
     "", FLAG.read, assemble=_kept,

@@ -28,12 +28,13 @@ from asymptotics.decays.records.units import ANGLES, UNITS, seconds, suffix
 from asymptotics.equivalent.rows import OF_MOTION, row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.frames import BARE, Frame
-from asymptotics.law import PENDULUM, Oscillator, SpringLike
+from asymptotics.law import Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import double_of, exact_double, exact_number
 from asymptotics.present.percent import percent
 from asymptotics.terms import terms_of
+from asymptotics.terms_given import PENDULUM
 
 # The exponents that have names (dry friction, viscous, air, cubic) and the sums of them that are met in practice; a law
 # that is not among them is asked for by ``laws``.

@@ -85,7 +85,12 @@ class Observations(Alike):
         notes: Sequence[str] = (),
         floor: float = 0.0,
     ) -> "Observations":
-        """From any sequences; unsigned amplitudes are given alternating signs."""
+        """From any sequences, named as the fields; unsigned amplitudes ``x`` are given alternating signs.
+
+        ``n``: the numbers of the turning points (empty: 0, 1, ...), ``x`` and ``t`` theirs, in ``unit`` and in s;
+        ``passage_n``, ``passage_t``: the passages through 0; ``sigma_x``, ``sigma_t``, ``sigma_passage``: standard
+        deviations; ``name``, ``notes``: of the run; ``floor``: the error that is there without noise too.
+        """
         number = np.asarray(n, dtype=np.intp)
         position = np.asarray(x, dtype=float)
         text = tuple(notes)
@@ -103,7 +108,10 @@ class Observations(Alike):
         )  # fmt: skip
 
     def as_envelope(self, stride: float, spacing: float, notes: tuple[str, ...]) -> "Observations":
-        """The same numbers as an artificial clock of an envelope: each ``stride`` half-swings, ``spacing`` s apart."""
+        """The same numbers as an artificial clock of an envelope: each ``stride`` half-swings, ``spacing`` s apart.
+
+        ``notes``: what was found on the way there.
+        """
         return replace(self, stride=stride, spacing=spacing, notes=notes)
 
     @property
@@ -149,7 +157,7 @@ class Observations(Alike):
         return int(self.n[-1])
 
     def up_to(self, last: int) -> "Observations":
-        """The turning points n <= last only, and the passages between them."""
+        """The turning points n <= ``last`` only, and the passages between them."""
         keep, inside = self.n <= last, self.passage_n < last
         cut: dict[str, Any] = {name: _kept(getattr(self, name), keep) for name in ("n", "x", "t", "sigma_x", "sigma_t")}
         crossings: dict[str, Any] = {
@@ -158,7 +166,7 @@ class Observations(Alike):
         return replace(self, **cut, **crossings, samples=None)
 
     def between(self, low: float, high: float) -> "Observations":
-        """The longest stretch of turning points with low <= |x_n| <= high; the numbering starts with it."""
+        """The longest stretch of turning points with ``low`` <= |x_n| <= ``high``; the numbering starts with it."""
         inside = np.flatnonzero((np.abs(self.x) >= low) & (np.abs(self.x) <= high))
         pieces = np.split(inside, np.flatnonzero(np.diff(inside) > 1) + 1)
         # A stretch, not all that fits: a beat comes back into the range, and belongs to another decay.

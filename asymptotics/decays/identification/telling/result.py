@@ -95,7 +95,7 @@ class Identification(Alike, Rows, Drawn):
         return envelope(run) if isinstance(run, Observations) else None
 
     def law(self, text: str) -> LawAnswer:
-        """The answer for one candidate, by its name such as ``1+2`` or ``free+s3``; InputError if it is not there."""
+        """The answer for the candidate ``text``, such as ``1+2`` or ``free+s3``; InputError if it is not there."""
         named = {str(answer.law.candidate): answer for answer in self.laws}
         return named[require_choice(text, "text", named)]
 
@@ -123,7 +123,7 @@ class Identification(Alike, Rows, Drawn):
         return found
 
     def table(self, count: int = 12) -> str:
-        """The first laws as a table of text."""
+        """The first ``count`` laws as a table of text."""
         count = exact_integer(count, "count", 1, 10_000)  # more than are ever tried
         rows: list[tuple[str, ...]] = [("law", "verdict", "dAICc", "held-out", "strengths [interval]")]
         rows += [answer.row() for answer in self.laws[:count]]
@@ -134,9 +134,9 @@ class Identification(Alike, Rows, Drawn):
         return f"Identification({self.verdict.text})"
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
-        """Decay, decrement against amplitude, residuals and profiles; on given axes the decrements alone.
+        """Decay, decrement against amplitude, residuals and profiles; on given axes ``ax`` the decrements alone.
 
-        InputError for several runs and printed decrements, and as ``Motion.plot``.
+        ``style`` as of ``Motion.plot``.  InputError for several runs and printed decrements, and as there.
         """
         return super().plot(ax, **{"panels": ax is None, **style})
 
