@@ -95,11 +95,13 @@ BOOTSTRAP = Kind(
 
 
 def _csv(found: Identification | DampingLaw, _: Request) -> str:
-    """All candidate laws, best first: a row for each strength, both ends of its interval as columns."""
+    """All candidate laws, best first: a row for each strength, both ends of its interval as columns; then Q(A), T(A)
+    and what else is told before any law."""
     if isinstance(found, DampingLaw):
         return csv_text(STRENGTHS, rows_of_strengths(found))
-    columns = found._table()
-    return csv_text(list(columns), zip(*columns.values()))
+    columns = found._table() or dict.fromkeys(("law", "verdict", "parameter", "estimate", "low", "high"), [])
+    bare = [[row.get(name, "") for name in columns] for row in found._bare_rows()]
+    return csv_text(list(columns), [*zip(*columns.values()), *bare])
 
 
 def _drawn(found: Identification | DampingLaw, request: Request) -> list[Any]:

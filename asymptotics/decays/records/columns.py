@@ -58,6 +58,7 @@ _MEANING = {word: quantity for quantity, words in _WORDS.items() for word in wor
 _NO_NAME = re.compile(r"column \d+( \[.*\])?")
 _AXIS = re.compile(r"[xyz](?: .*)?", re.IGNORECASE)
 """A letter of an axis, which says nothing of what is measured along it."""
+_MEASURED = {"x": "position", "v": "velocity", "a": "acceleration"}
 _LAST = ("velocity", "acceleration", "time")  # "angular velocity": the word that decides
 
 
@@ -85,6 +86,8 @@ def quantity(name: str) -> str:
     ['time', 'velocity', 'velocity', 'position', '', 'time']
     >>> [quantity(n) for n in ("Time A [s]", "Pos A", "Channel A", "a", "a_x", "mass_A: t", "t_days")]
     ['time', 'position', '', 'acceleration', 'acceleration', 'time', 'time']
+    >>> [quantity(n) for n in ("A (cm)", "a (m/s^2)", "A")]
+    ['position', 'acceleration', 'acceleration']
     >>> [quantity(n) for n in ("gx", "gyroZ", "AccX", "millis", "position")]
     ['velocity', 'velocity', 'acceleration', 'time', 'position']
     """
@@ -97,6 +100,9 @@ def quantity(name: str) -> str:
     words = [_without_axis(w) for w in re.split(r"[^\w]+|_|\d+", label.lower()) if w]
     found = [_MEANING[w] for w in words if w in _MEANING and (len(w) > 1 or _is_letter_of(w, words))]
     by_unit = _by_unit(unit)
+    # Of a letter alone the unit knows better: A (cm) is no acceleration.
+    if by_unit in _MEASURED.values() and len(label.strip()) == 1 and found and found[0] in _MEASURED.values():
+        return by_unit
     # A name that is one word of the list as a whole, such as x_value, is cut into no others.
     if label.lower().strip() in _MEANING:
         return _MEANING[label.lower().strip()]
@@ -230,9 +236,6 @@ def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
 
 
 _MEANT = {"t": "time", "tau": "time", "x": "position", "v": "velocity", "a": "acceleration"}
-
-
-_MEASURED = {"x": "position", "v": "velocity", "a": "acceleration"}
 
 
 def _place_of(column: str, names: Sequence[str], used: list[int], kind: str, file: str, needed: bool) -> int | None:

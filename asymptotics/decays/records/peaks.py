@@ -41,10 +41,15 @@ of a period a peak may be off its place; the correlation of an envelope with the
 peaks are."""
 
 
+def _is_amplitude(name: str) -> bool:
+    """Whether a name says so: by a word, or as the letter A."""
+    return bool(_NAMES.search(name) or re.match(r"A\b", name))
+
+
 def peaks_of_one_side(name: str, t: Array, x: Array) -> Array | None:
     """The numbers n of the turning points; None for what is no sequence of peaks."""
     whole = np.isfinite(t) & np.isfinite(x)
-    if not _NAMES.search(name) or not whole.all() or not _LEAST <= len(x) <= _MOST or not (x > 0).all():
+    if not _is_amplitude(name) or not whole.all() or not _LEAST <= len(x) <= _MOST or not (x > 0).all():
         return None
     steps = np.diff(t)
     period = float(np.median(steps))
@@ -96,7 +101,7 @@ def is_envelope(name: str, t: Array, x: Array, frequency: float | None) -> bool:
     steps = np.diff(t)
     apart = frequency is not None and float(np.median(steps)) * frequency > _APART
     # Whatever its name, what is sampled less than once a period shows no swings.
-    if not (apart or _NAMES.search(name) or (_LOCK_IN.match(name) and suffix(name).lower() in _VOLTS)):
+    if not (apart or _is_amplitude(name) or (_LOCK_IN.match(name) and suffix(name).lower() in _VOLTS)):
         return False
     first = int(np.argmax(x))
     if len(x) - first < _LEAST:

@@ -182,6 +182,7 @@ TEXTS = {
     "a step dt beside the clock": Written("t,dt,x\n" + rows(T, 0 * T + 0.04, N)),
     # Peaks and envelopes.
     "peaks of one side": Written(_peaks("t (s),amplitude (deg)", TURNS[::2], 20 * PEAKS[::2]), 20, "deg"),
+    "peaks of one side called A": Written(_peaks("t (s),A (cm)", TURNS[::2], 5 * PEAKS[::2]), 5, "cm"),
     "peaks of both sides": Written(_peaks("t (s),x (deg)", TURNS, 20 * PEAKS), 20, "deg"),
     "counted amplitudes": Written(_peaks("n,amplitude (deg)", COUNT, 20 * np.abs(PEAKS)), 20, "deg"),
     "amplitudes of counted cycles": Written(

@@ -44,9 +44,9 @@ class Observations(Alike):
     on the way here; ``floor``: the error, as a share of the first amplitude and of 1/omega_0, that is there without
     noise too; ``samples``: the motion itself, where it is fitted and the turning points only start the fit;
     ``time_unit``: that of the file, in which a period is told (empty: s), while ``t`` is in s; ``stride``: how many
-    true half-swings one n of an envelope counts, and ``spacing`` the time between two (``ringdown``); ``window``: that
-    of the local fits which found the turning times, and find them late (None: measured otherwise); ``record``: the
-    samples in which they were found, about the base line, for the picture alone.
+    true half-swings one n of an envelope counts (0 where nobody says), and ``spacing`` the time between two
+    (``ringdown``); ``window``: that of the local fits which found the turning times, and find them late (None: measured
+    otherwise); ``record``: the samples in which they were found, about the base line, for the picture alone.
     """
 
     n: Indices
@@ -116,8 +116,13 @@ class Observations(Alike):
 
     @property
     def omega(self) -> float | None:
-        """The angular frequency of an envelope, in rad/s; None for turning points, whose times tell it."""
-        return None if self.spacing is None else np.pi * self.stride / self.spacing
+        """The angular frequency of an envelope, in rad/s, if known; None for turning points, whose times tell it."""
+        return None if self.spacing is None or self.without_frequency else np.pi * self.stride / self.spacing
+
+    @property
+    def without_frequency(self) -> bool:
+        """Whether it is an envelope of which nobody says how fast it swings."""
+        return self.stride == 0
 
     @property
     def sign(self) -> Array:
