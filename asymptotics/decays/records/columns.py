@@ -212,7 +212,7 @@ def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
     if len(names) > 1:
         # A phone writes the axes of each of its sensors as x, y, z into a file of its own.
         bare = [n for n, q in zip(names, meant) if q == "position"]
-        sensor = quantity(re.sub(r"\.\w+\Z", "", file)) if len(bare) > 1 and all(map(_AXIS.fullmatch, bare)) else ""
+        sensor = quantity(re.sub(r"\.\w+\Z", "", file)) if len(bare) > 2 and all(map(_AXIS.fullmatch, bare)) else ""
         if "time" in meant and sensor in ("velocity", "acceleration"):
             return sensor
         if len(bare) > 2 and "seconds_elapsed" in names:
