@@ -90,6 +90,7 @@ POWERS = {  # losses in the speed alone, for the local expansions, the steps and
     "a loss next to the critical one": World({1: "3/2"}, "one half-swing takes nearly everything"),
     "dry friction beside a cube": World({0: "1/30", 3: "1"}, "a stop, and a loss that is nothing where it stops"),
     "dry friction beside a root": World({0: "1/50", "1/2": "1/10"}, "two forces that both are there at rest"),
+    "dry friction beside the linear loss": World({0: "1/20", 1: "1/10"}, "a closed motion that ends"),
     "dry friction beside three halves": World({0: "1/20", "3/2": "1/10"}, "a jump of the force beside powers of roots"),
     "three weak powers": World({0: "1/500", 1: "1/50", 2: "1/10"}, "each rules at an amplitude of its own"),
     "two powers above one": World({2: "1/10", 3: "1/30"}, "two strengths that fall at different rates"),
@@ -127,10 +128,13 @@ WELLS = {  # springs that are not linear: no closed energy, a period that depend
     "friction in a steep spring": World({0: "1/20", (0, 2): "1/30", 3: "1/5"}, "a jump that knows the place", {5: "2"}),
     "air and friction in a hard spring": World({2: "1/10", 0: "1/50"}, "both losses that have a primitive", {3: "1/2"}),
     "friction in a soft spring": World({0: "1/20"}, "it stops off centre, in a well with an edge", {3: "-1/2"}),
+    "a loss in a soft kinked spring": World({1: "1/10"}, "x|x| that softens", {2: "-1/4"}),
     "air in a kinked spring": World({2: "1/3"}, "x|x|: two pieces that meet at 0", {2: "1/4"}),
 }
 WORLDS = EVERYDAY | POWERS | CREEPING | NEAR_EQUAL | WELLS
 DECAYING = [name for name in EVERYDAY if not name.startswith("gains")]
+RIVALS = ["1", "2", "1+2", "0+1"]
+"""The laws that ``identify`` chooses from where four are enough: three true ones and a sum that contains one."""
 OSCILLATOR = WORLDS["SI"].oscillator
 """The one that is taken where one with units is enough."""
 

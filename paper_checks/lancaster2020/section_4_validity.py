@@ -315,10 +315,10 @@ def large_strength(form: tuple[str, ...]) -> Outcome:
 
 
 @cache
-def _first_five(exponent: str, epsilon: str) -> tuple[tuple[str, str], ...]:
-    """x and tau of the turning points 1 ... 5, as certified decimals."""
-    table = turning_points(Law({exponent: epsilon}), 6, 20, times=True)
-    return tuple((p.x, str(p.tau)) for p in table.points[1:])
+def _first_five(exponent: str, epsilon: str) -> tuple[tuple[arb, arb], ...]:
+    """x and tau of the turning points 1 ... 5: all numbers that certified decimals may be rounded from."""
+    table = turning_points(Law({exponent: epsilon}), 6, DIGITS, times=True)
+    return tuple((ball_of(p.x), ball_of(str(p.tau))) for p in table.points[1:])
 
 
 def _agrees(exponent: str, epsilon: str) -> Outcome:
@@ -327,6 +327,6 @@ def _agrees(exponent: str, epsilon: str) -> Outcome:
     with ctx.workprec(100):
         power, strength = closed_form_ball(q), closed_form_ball(mean(q + 1) * sympy.Rational(epsilon))
         quotients = [
-            abs(arb(x)) * (1 + power * strength * arb(tau)) ** (1 / power) for x, tau in _first_five(exponent, epsilon)
+            abs(x) * (1 + power * strength * tau) ** (1 / power) for x, tau in _first_five(exponent, epsilon)
         ]
         return all_confirmed(*(below(abs(quotient - 1), arb("0.05")) for quotient in quotients))

@@ -3,6 +3,7 @@
 import re
 import shlex
 import sys
+from functools import cache
 from html import unescape
 
 import pytest
@@ -24,12 +25,16 @@ FULL = {  # with formulas that the examples, which are answered at once, do not 
 FORMULAS = [n for n in QUESTIONS if n not in ("compare", "identify", "sweep", "table", "papers", "smith")]
 
 
-@pytest.fixture
-def page(tmp_path, capsys):
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    """The page of a question, written once."""
+
+    @cache
     def written(name):
-        path = tmp_path / f"{name}.html"
-        words = [name, *shlex.split(FULL[name])] if name in FULL else example(name, tmp_path)
-        assert main([*words, "--html", str(path), "--quiet"]) in (0, 1), capsys.readouterr()
+        folder = tmp_path_factory.mktemp(name)
+        path = folder / f"{name}.html"
+        words = [name, *shlex.split(FULL[name])] if name in FULL else example(name, folder)
+        assert main([*words, "--html", str(path), "--quiet"]) in (0, 1), name
         return path.read_text(encoding="utf-8")
 
     return written
