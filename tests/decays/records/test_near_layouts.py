@@ -164,6 +164,10 @@ def test_axes_of_a_sensor_whose_kind_is_said():
     found = read_table(axes, kind="velocity")
     assert found.columns["v"].tolist() == (0.3 * V).tolist()
     assert read_table(axes).kind == "record"
+    # What is said knows better than a name; a unit does not lie.
+    assert read_table({"t": T, "Acc": N}, kind="record").columns["x"].tolist() == N.tolist()
+    with pytest.raises(InputError, match="no column x"):
+        read_table({"t": T, "Acc (m/s^2)": N, "Gyro (rad/s)": N}, kind="record")
     # Of two axes in a plane a camera tells the places, whatever the file is called.
     with pytest.raises(InputError, match="x may be any of 'x', 'y'"):
         read_table(named("velocity.csv", "t,x,y\n" + rows(T, N, 0.8 * N)))
