@@ -11,6 +11,7 @@ from asymptotics.decays.identification.measuring.at_rest import moving
 from asymptotics.decays.identification.measuring.extraction import observations_of_record
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.mode_beside import with_mode_beside
+from asymptotics.decays.identification.measuring.near_modes import near_modes
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.measuring.ringdown import observations_of_envelope
 from asymptotics.decays.identification.measuring.sampled import LEAST_SAMPLES, observations_of_motion
@@ -93,6 +94,12 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
         t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
     said = (*run.notes, *notes, *sensor_notes(t, x))
     parts, found = releases(t, x), list[Observations]()
+    beat = near_modes(t, x)
+    if beat is not None:
+        if modes == 1 and (beat.is_strong or len(parts) > 1 or len(parts[0]) < len(t)):
+            raise InputError("FILE", f"{rows.name} {beat.told}", "--modes 2, which fits both")
+        said = said if modes > 1 else (*said, f"the record {beat.told}: --modes 2 fits both")
+        parts = [np.arange(len(t))]
     for number, places in enumerate(parts, start=1):
         own, told = rows if len(places) == len(t) else rows.kept(places), said
         if len(places) < len(t):
