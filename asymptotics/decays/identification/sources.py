@@ -17,7 +17,7 @@ from asymptotics.decays.identification.measuring.ringdown import observations_of
 from asymptotics.decays.identification.measuring.sampled import LEAST_SAMPLES, observations_of_motion
 from asymptotics.decays.identification.measuring.second_mode import without_second_modes
 from asymptotics.decays.identification.measuring.sensors import sensor_notes
-from asymptotics.decays.identification.measuring.slow_base_line import without_slow_base_line
+from asymptotics.decays.identification.measuring.slow_base_line import SlowBaseLine, slow_base_line
 from asymptotics.decays.records.clock import runs_of, straightened
 from asymptotics.decays.records.repairs import releases, spikes
 from asymptotics.decays.records.rows import RowPlaces
@@ -146,17 +146,27 @@ def _decay(
     # What never changes has no period, which the search for a second mode asks for.
     if len(x) > 1 and not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name}, column {'xva'[_order(run)]}: all values are {x[0]:g}", "a motion")
-    x, slow = without_slow_base_line(t, x)
+    slow = slow_base_line(t, x)
+    if slow is not None:
+        x, notes = x - slow.values, (*notes, slow.told)
     x, lines = without_second_modes(t, x)
-    notes = (*notes, *slow, *lines)
+    notes = (*notes, *lines)
     if _order(run) == 0:
         swinging = moving(t, x, dominant_period(t, x)) if len(t) >= LEAST_SAMPLES else slice(None)
         rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
-        seen = observations_of_record(t, x, unit=run.unit, rows=rows)
+        seen = _beside(slow, observations_of_record(t, x, unit=run.unit, rows=rows, whole_motion=slow is not None))
         return replace(seen, notes=(*notes, *seen.notes, *_tail(whole, seen)))
     if len(t) < LEAST_SAMPLES:
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
-    return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
+    seen = observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
+    return _beside(slow, seen)
+
+
+def _beside(slow: SlowBaseLine | None, seen: Observations) -> Observations:
+    """The base line that was taken off is fitted once more beside every law: what it costs the intervals is in them."""
+    if slow is None or seen.samples is None:
+        return seen
+    return replace(seen, samples=replace(seen.samples, slow=slow.columns(seen.samples.t)))
 
 
 def _tail(t: Array, seen: Observations) -> list[str]:
