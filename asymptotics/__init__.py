@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from asymptotics.curves.motions import Motion, Reference, motion, reference
     from asymptotics.curves.pictures import plot
     from asymptotics.curves.slow import Envelope, envelope
-    from asymptotics.curves.solution import solution
+    from asymptotics.curves.solve import solution
     from asymptotics.curves.waves import waveforms
     from asymptotics.decays.identification.found_law import DampingLaw
     from asymptotics.decays.identification.telling.html_report import html_report
@@ -83,7 +83,7 @@ _HOMES = {
     "curves.motions": ("Events", "Motion", "Reference", "motion", "reference"),
     "curves.pictures": ("plot",),
     "curves.slow": ("Envelope", "envelope"),
-    "curves.solution": ("solution",),
+    "curves.solve": ("solution",),
     "curves.waves": ("waveforms",),
     "ask.questions.turning_points": ("turning_points",),
     "bounds.remainder": ("remainder",),

@@ -19,7 +19,7 @@ from collections.abc import Iterable
 from math import comb, log2
 
 from asymptotics.errors import LimitError
-from asymptotics.running.budget import seconds_told
+from asymptotics.running.budget import allowed, seconds_told
 
 # What all of these numbers decide: which route is offered first, and whether a request is refused before it begins.  No
 # digit depends on one.  Half or twice a constant moves a refusal, and the time budget stops what was let through.
@@ -136,7 +136,8 @@ def primitive_seconds(swings: float, bits: int) -> float:
 
 
 def require_affordable(seconds: float, limit: float, argument: str, work: str, accepted: str = "") -> None:
-    """LimitError with the estimate when it is above ``limit``."""
+    """LimitError with the estimate when it is above ``limit``, or what is ``allowed`` where nobody asked for that."""
+    limit = allowed(limit)
     if seconds > limit:
         reason = f"{work} would take about {seconds_told(seconds)} s"
         raise LimitError(argument, reason, f"work of at most {seconds_told(limit)} s{accepted}")

@@ -74,7 +74,7 @@ class Frame(Shown):
             return r"$\tau = \omega_0 t$"
         return f"{name} ({unit})" if (unit := self.unit(name)) else name
 
-    def told(self, name: str, value: object) -> str:
+    def with_unit(self, name: str, value: object) -> str:
         """A value with its unit."""
         return f"{value} {unit}" if (unit := self.unit(name)) else f"{value}"
 

@@ -37,11 +37,9 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.latex import latex
 from asymptotics.numbers.policy import Number, exact_number, float_notes
 from asymptotics.present.shown import Page, Shown
+from asymptotics.running.signature import named
 from asymptotics.terms import Scaled, Term, Units, signed_sum
-
-PENDULUM = "pendulum"
-_FORMS = 'exponent -> strength, such as {"3/2": "1/10"} or {(1, 2): "1/10"} for |x|^2 x\''
-_SPRING_FORMS = f'power -> strength, such as {{3: "1/10"}}, or "{PENDULUM}"'
+from asymptotics.terms_given import FORMS, losses_of, merged, notes_of_floats, springs_of, terms_of
 
 
 @dataclass(frozen=True, init=False, repr=False)
@@ -51,22 +49,23 @@ class _Sum(Shown):
     terms: tuple[Term, ...]
     notes: tuple[str, ...] = field(compare=False)
 
+    @named
     def __init__(self, law: "Mapping[Any, Any] | _Sum", spring: "Mapping[Any, Any] | str | None" = None) -> None:
-        given = law.terms if isinstance(law, _Sum) else tuple(_losses(law))
-        terms, notes = _merged([*given, *_springs(spring)])
+        given = law.terms if isinstance(law, _Sum) else tuple(losses_of(law))
+        terms, notes = merged([*given, *springs_of(spring)])
         if not terms:
-            raise InputError("law", "there is no term", _FORMS)
+            raise InputError("law", "there is no term", FORMS)
         # What was read from floats is told whichever way the law came, and told once.
-        noted = law.notes if isinstance(law, _Sum) else _float_notes(law, "alpha")
+        noted = law.notes if isinstance(law, _Sum) else notes_of_floats(law, "alpha")
         object.__setattr__(self, "terms", terms)
-        object.__setattr__(self, "notes", tuple(dict.fromkeys([*noted, *_float_notes(spring, "spring"), *notes])))
+        object.__setattr__(self, "notes", tuple(dict.fromkeys([*noted, *notes_of_floats(spring, "spring"), *notes])))
 
     @classmethod
     def from_terms(cls, terms: Iterable[Term], notes: Iterable[str] = ()) -> Self:
         """A law from terms, which may repeat an exponent; InputError when there is none, or something else."""
-        made, more = _merged(_terms(terms))
+        made, more = merged(terms_of(terms))
         if not made:
-            raise InputError("law", "there is no term", _FORMS)
+            raise InputError("law", "there is no term", FORMS)
         # Past ``__init__``, which reads mappings: these terms have been read already.
         law = object.__new__(cls)
         object.__setattr__(law, "terms", made)
@@ -155,14 +154,29 @@ class _Sum(Shown):
 class Law(_Sum):
     """A dimensionless law: the strengths are epsilon (losses) and c (springs), in units m = k = x0 = 1.
 
-    ``Law({exponent: strength})``; a key may be a pair (A, M) for |x|^M x'|x'|^(A-1).  ``spring={P: strength}`` adds
-    c x|x|^(P-1), a key (P, Q) a factor |x'|^Q, and ``spring="pendulum"`` has sin x in place of x (x0 = 1 rad).
-    Equal exponents are merged.  InputError for no term, a negative exponent, and what is not an exact number.
+    Parameters
+    ----------
+    law
+        exponent -> strength, each an exact number (text such as "3/2" or "sqrt(2)"); a key (A, M) is |x|^M
+        x'|x'|^(A-1); equal exponents are merged
+    spring
+        springs beside the linear one: a key P is c x|x|^(P-1), a key (P, Q) has the factor |x'|^Q; "pendulum" has sin x
+        in the place of x (x0 = 1 rad)
+
+    Raises
+    ------
+    InputError
+        for no term, a negative exponent, and what is not an exact number
+
+    Examples
+    --------
+    >>> print(Law({1: "1/50", ("3/2", 2): "1/10"}, spring={3: "-1/6"}))
+    1/50 x' + 1/10 x^2 x'|x'|^(1/2) - 1/6 x^3
     """
 
     @classmethod
     def read(cls, value: "Law | Mapping[Any, Any]") -> "Law":
-        """A law, or a mapping that makes one; InputError for strengths in SI, which are something else."""
+        """A law, or the mapping ``value`` (exponent -> strength) as one; InputError for strengths in SI."""
         if isinstance(value, Law):
             return value
         if isinstance(value, PhysicalLaw):
@@ -177,11 +191,35 @@ class PhysicalLaw(_Sum):
 
 @dataclass(frozen=True, init=False, repr=False)
 class Oscillator(Shown):
-    """m x'' + k x + law = 0 with x(0) = x0, x'(0) = v0 (SI units, exact numbers).
+    """m x'' + k x + law = 0 with x(0) = x0, x'(0) = v0: exact numbers in SI, whose defaults make b = epsilon.
 
-    ``Oscillator(law or mapping, mass=, stiffness=, x0=, v0=, spring=)`` reads the strengths as b in SI, whatever they
-    were before; the defaults make b = epsilon.  The unit of length is |x0| when v0 = 0, else the radius
-    sqrt(x0^2 + m v0^2/k) of the starting point.  InputError for m <= 0, k <= 0, or a start at rest at 0.
+    The unit of length is |x0| when v0 = 0, else the radius sqrt(x0^2 + m v0^2/k) of the starting point.
+
+    Parameters
+    ----------
+    law
+        exponent -> b in N (s/m)^alpha, or a law, whose strengths are read as b, whatever they were before
+    mass
+        m in kg, > 0
+    stiffness
+        k in N/m, > 0
+    x0
+        the place at the start in m; in rad for a pendulum
+    v0
+        the speed at the start in m/s
+    spring
+        springs beside the linear one, as of ``Law``, c in N/m^P
+
+    Raises
+    ------
+    InputError
+        for m <= 0, k <= 0, and a start at rest at 0
+
+    Examples
+    --------
+    >>> oscillator = Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
+    >>> oscillator.omega_0().str(8, radius=False), oscillator.unit
+    ('4.4721360', 'm')
     """
 
     law: PhysicalLaw
@@ -191,6 +229,7 @@ class Oscillator(Shown):
     v0: ExactReal
     notes: tuple[str, ...] = field(compare=False)
 
+    @named
     def __init__(
         self, law: Mapping[Any, Any] | _Sum, *, mass: Number = 1, stiffness: Number = 1, x0: Number = 1, v0: Number = 0,
         spring: Mapping[Any, Any] | str | None = None,
@@ -211,7 +250,7 @@ class Oscillator(Shown):
             object.__setattr__(self, name, value)
 
     def with_law(self, law: Mapping[Any, Any] | _Sum) -> "Oscillator":
-        """The same mass, spring and start under another law."""
+        """The same mass, spring and start under another ``law``: a mapping exponent -> b in SI, or such a law."""
         return Oscillator(law, mass=self.mass, stiffness=self.stiffness, x0=self.x0, v0=self.v0)
 
     @property
@@ -242,7 +281,7 @@ class Oscillator(Shown):
 
     @inside
     def deltas(self, amplitude: arb) -> tuple[arb, ...]:
-        """delta_i = epsilon_i A^(d_i-1) at the slow amplitude A > 0, in units of ``length``; InputError else."""
+        """delta_i = epsilon_i A^(d_i-1) at the slow ``amplitude`` A > 0, in units of ``length``; InputError else."""
         # Anything else would be refused by FLINT, in words that name no argument.
         _require_balls(amplitude=amplitude)
         if not amplitude > 0:
@@ -256,7 +295,7 @@ class Oscillator(Shown):
 
     @inside
     def to_si(self, X: arb, tau: arb) -> tuple[arb, arb]:
-        """Dimensionless displacement and time -> (x in m, t in s)."""
+        """Dimensionless displacement ``X`` and time ``tau`` -> (x in m, t in s)."""
         _require_balls(X=X, tau=tau)
         return X * self.length(), tau / self.omega_0()
 
@@ -287,7 +326,7 @@ class Oscillator(Shown):
 
     @property
     def unit(self) -> str:
-        """The unit of x: "rad" for a pendulum, whose restoring force is the sine of x, else "m"."""
+        """The unit of x, "m", or "rad" for a pendulum, whose restoring force is the sine of x."""
         return "rad" if any(t.family for t in self.law.springs) else "m"
 
     def _letters(self) -> dict[str, str]:
@@ -303,61 +342,6 @@ def _require_balls(**values: Any) -> None:
     for name, value in values.items():
         if not isinstance(value, arb):
             raise InputError(name, f"{shown(value)} is no ball", "an arb")
-
-
-def _terms(given: Any) -> list[Term]:
-    terms = []
-    # Looked at one by one: what is endless, or longer than the memory, ends at what is no term.
-    for t in given if isinstance(given, Iterable) else [given]:
-        if not isinstance(t, Term):
-            raise InputError("terms", f"{shown(t)} is no term", "terms")
-        terms.append(t)
-    return terms
-
-
-def _losses(law: Any) -> Iterable[Term]:
-    if not isinstance(law, Mapping):
-        raise InputError("law", f"{type(law).__name__} is neither a law nor a mapping", _FORMS)
-    for key, strength in law.items():
-        velocity, position = key if isinstance(key, tuple) and len(key) == 2 else (key, 0)
-        yield Term(exact_number(strength, "strength"), velocity, position)
-
-
-def _springs(spring: Any) -> Iterable[Term]:
-    if spring is None:
-        return
-    if isinstance(spring, str) and spring == PENDULUM:
-        # The first term of sin x - x gives the weight 2; the strength 1 is in units of one radian squared.
-        yield Term(1, 0, 3, "position", "pendulum")
-        return
-    if not isinstance(spring, Mapping):
-        raise InputError("spring", f"{shown(spring)} is no spring", _SPRING_FORMS)
-    for key, strength in spring.items():
-        position, velocity = key if isinstance(key, tuple) and len(key) == 2 else (key, 0)
-        yield Term(exact_number(strength, "strength"), velocity, position, "position")
-
-
-def _merged(terms: Iterable[Term]) -> tuple[tuple[Term, ...], list[str]]:
-    """Losses before springs, equal exponents added; InputError when a sum of strengths is not one exact number."""
-    found: dict[object, Term] = {}
-    notes = []
-    # A stable sort: within losses and within springs the order given stays.
-    for t in sorted(terms, key=lambda t: t.sign):
-        if t.key in found:
-            name = "alpha" if t.sign < 0 else "spring"
-            notes.append(f"equal exponents merged: {name} = {t.velocity if t.sign < 0 else t.position}")
-            t = t.plus(found[t.key])
-        found[t.key] = t
-    return tuple(found.values()), notes
-
-
-def _float_notes(mapping: Any, name: str) -> tuple[str, ...]:
-    if not isinstance(mapping, Mapping):
-        return ()
-    # A key may be a pair of powers: each of the two may be a float.
-    keys = [k for key in mapping for k in (key if isinstance(key, tuple) else (key,))]
-    of_keys = (float_notes(**{name: k}) for k in keys)
-    return tuple(n for notes in (*of_keys, *(float_notes(strength=s) for s in mapping.values())) for n in notes)
 
 
 LawLike = Law | Oscillator | Mapping[Any, Any] | Sequence[Any] | Number

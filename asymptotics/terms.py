@@ -253,7 +253,7 @@ class Term(Shown):
         return place + ("" if v.is_zero else rf"\,\dot x{power}" if _is_even(v) else rf"\,|\dot x|{power}")
 
     def plus(self, other: "Term") -> "Term":
-        """The sum of two terms that differ in the strength; InputError when it is not one exact number."""
+        """The sum with ``other``, which differs in the strength; InputError when it is not one exact number."""
         if not isinstance(other, Term):
             raise InputError("other", f"{shown(other)} is no term", "a Term")
         a, b = self.strength, other.strength
@@ -267,7 +267,7 @@ class Term(Shown):
 
     @inside
     def delta(self, amplitude: arb) -> arb:
-        """The local strength: strength * amplitude^weight, as a ball."""
+        """The local strength at ``amplitude``: strength * amplitude^weight, as a ball."""
         return self.strength.ball() * _power(amplitude, self.weight)
 
     def to_dict(self) -> dict[str, str | int]:

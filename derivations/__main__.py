@@ -6,11 +6,13 @@
 import sys
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from asymptotics.errors import InputError
 from asymptotics.shell.guarded import complain, emit, run_guarded
-from derivations.document import document
-from derivations.steps import Derivation
+
+if TYPE_CHECKING:  # SymPy is loaded inside the shell, which answers Ctrl-C
+    from derivations.steps import Derivation
 
 NOT_DERIVATIONS = {"__init__", "__main__", "breaking", "document", "pieces", "relations", "steps", "waiting", "words"}
 
@@ -21,7 +23,7 @@ def names() -> list[str]:
     return sorted(stem.replace("_", "-") for stem in stems - NOT_DERIVATIONS)
 
 
-def derivation(name: str) -> Derivation:
+def derivation(name: str) -> "Derivation":
     """Run a derivation; AssertionError if a step fails."""
     found: Derivation = import_module("derivations." + name.replace("-", "_")).derivation
     return found
@@ -33,9 +35,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(argv: list[str] | None) -> int:
-    parser = import_module("asymptotics.shell.main").Parser(
-        prog="python -m derivations", description=__doc__
-    )  # loaded inside the shell, which answers Ctrl-C from here on
+    parser = import_module("asymptotics.shell.main").Parser(prog="python -m derivations", description=__doc__)
     parser.add_argument("name", nargs="?", help="a derivation; without it, the list")
     parser.add_argument("--latex", action="store_true", help="print LaTeX instead of text")
     options = parser.parse_args(argv)
@@ -51,7 +51,7 @@ def _run(argv: list[str] | None) -> int:
     except AssertionError as failure:
         complain(f"failed: {failure}")
         return 1
-    emit(document(found) if options.latex else found[0].text())
+    emit(import_module("derivations.document").document(found) if options.latex else found[0].text())
     return 0
 
 

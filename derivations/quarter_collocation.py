@@ -105,28 +105,34 @@ step(
     -(s**2) * sympy.Derivative(drag, x) / (1 - c * drag) ** 2,
 )
 step(
-    "and s c D_g/(1 - cD)^2, where 0 <= s, s c <= 1: at most K/h both",
+    "and s c D_g/(1 - cD)^2, |D_g| a sum of s^alpha with alpha >= 0",
     sympy.Derivative(s / (1 - c * drag), x),
     s * c * sympy.Derivative(drag, x) / (1 - c * drag) ** 2,
 )
-bound = sympy.exp(K * t) * E0 + eta * (sympy.exp(K * t) - 1) / K
 step(
-    "|g - G|' <= K |g - G| + eta, from E_0: at most the solution of E' = K E + eta",
+    "By theta, as dz = d theta/s, the first is s^(1+alpha) <= s of it, over the quarter at most K times",
+    sympy.Integral(sympy.sin(theta), (theta, 0, sympy.pi / 2)),
+    1,
+)
+step(
+    "and the second s^alpha c <= c",
+    sympy.Integral(sympy.cos(theta), (theta, 0, sympy.pi / 2)),
+    1,
+)
+J = sympy.Function("J", nonnegative=True)(t)
+bound = sympy.exp(J) * (E0 + eta * t)
+step(
+    "|g - G|' <= J' |g - G| + eta from E_0, J the integral of the rate: e^J (E_0 + eta t) grows at least as fast",
     sympy.Derivative(bound, t),
-    K * bound + eta,
+    sympy.Derivative(J, t) * bound + eta * sympy.exp(J),
 )
 step(
-    "over the length 2 that is e^(2K) E_0 and eta times the integral of e^(Kt), itself",
-    sympy.Integral(sympy.exp(K * t), (t, 0, 2)),
-    (sympy.exp(2 * K) - 1) / K,
+    "as e^J >= 1: for J >= 0 the integral of what is positive is",
+    sympy.Integral(sympy.exp(y), (y, 0, K)),
+    sympy.exp(K) - 1,
 )
 step(
-    "at most 2 e^(2K), as e^(Kt) <= e^(2K) for t <= 2: e^(2K) - e^(Kt) is the integral of what is positive",
-    sympy.Integral(K * sympy.exp(K * x), (x, t, 2)),
-    sympy.exp(2 * K) - sympy.exp(K * t),
-)
-step(
-    "The duration is off by the integral of the change of its integrand, K |g - G| over the length 2",
-    sympy.Integral(K * E0, (t, -1, 1)),
-    2 * K * E0,
+    "at the end of the length 2, where J <= K, the bound is at most that of J = K",
+    At(bound, {J: K, t: 2}),
+    sympy.exp(K) * (E0 + 2 * eta),
 )

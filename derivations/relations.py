@@ -7,7 +7,7 @@
 'x >= 0,  x != pi'
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import lru_cache, reduce
 from itertools import count
 
@@ -297,9 +297,9 @@ def _differs(rest: sympy.Expr) -> bool:
     return bool(size.is_comparable and size > sympy.Rational(1, 10**20))
 
 
-def _forms(difference: sympy.Expr) -> list[sympy.Expr]:
-    """Ways to write a difference, of which one may show its sign."""
-    return [written(difference) for written in (lambda e: e, sympy.expand, sympy.factor, sympy.simplify)]
+def _forms(difference: sympy.Expr) -> Iterator[sympy.Expr]:
+    """Ways to write a difference, of which one may show its sign, from cheap to dear."""
+    return (written(difference) for written in (lambda e: e, sympy.expand, sympy.factor, sympy.simplify))
 
 
 def shown_in_text(shown: sympy.Basic) -> str:

@@ -48,12 +48,23 @@ SLOW = 5400
 """Seconds after which a slow test is ended: the longest, a thousand synthetic records, needs a third of it."""
 
 
-def pytest_collection_modifyitems(items):
+COLLECTED = pytest.StashKey[set[str]]()
+
+
+@pytest.fixture
+def collected(request):
+    """The names of all tests of the files that were asked for, also of those that are left out of this run."""
+    return request.config.stash[COLLECTED]
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config, items):
     """The first tests before all others; a slow one has a longer limit.
 
     ``thorough.txt`` names dear cases, for ``make test-thorough``: found redundant by ``benchmarks.suite_costs``, or, as
     those of now, chosen by hand from the durations of a run, where others of their kind stay.
     """
+    config.stash[COLLECTED] = {item.nodeid for item in items}
     thorough = {*Path(__file__).with_name("thorough.txt").read_text().splitlines()}
     for item in items:
         if item.nodeid in thorough:

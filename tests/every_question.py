@@ -13,7 +13,7 @@ from typing import Any
 import asymptotics as asy
 from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.shell.asked import command_of
-from tests.worlds import WORLDS
+from tests.worlds import EVERYDAY, WORLDS
 
 ROWS = "n,x\n" + "".join(f"{n},{(-0.9) ** n}\n" for n in range(8))
 """What stands in the file of an example: turning points of a linear loss."""
@@ -35,8 +35,8 @@ def in_world(name: str, folder: Path, world: str) -> list[str]:
 
 
 def worlds_of(name: str) -> Iterator[str]:
-    """The worlds that the options of a command can say."""
-    for world, made in WORLDS.items() if {"--law", "--epsilon"} <= options_of(name).keys() else ():
+    """The everyday worlds that the options of a command can say."""
+    for world, made in EVERYDAY.items() if {"--law", "--epsilon"} <= options_of(name).keys() else ():
         if {word for word in shlex.split(made.words) if word.startswith("--")} <= options_of(name).keys():
             yield world
 

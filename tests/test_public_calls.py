@@ -137,7 +137,7 @@ def public_results():
 
 
 METHODS = {
-    "shape": {"phase": sympy.Symbol("p")}, "begun": {"found": sympy.Symbol("epsilon")},
+    "shape": {"phase": sympy.Symbol("p")}, "with_start_strength": {"found": sympy.Symbol("epsilon")},
     "law": {"text": "1", "name": "1"},
     "at_time": {"oscillator": OSC, "time": 1, "digits": 8}, "refined": {"digits": 8}, "physical": {"i": 0},
     "balls": {"psi": [1]}, "integral": {"n": 1}, "uniform_bound": {"until": 2}, "__getitem__": {"place": 0, "key": 1},
@@ -227,7 +227,7 @@ def test_methods_of_public_results_answer_or_refuse(kinds):
                 method = getattr(thing, name)
             except asy.InputError:  # a property that this result does not have
                 continue
-            if not (inspect.isroutine(method) or name == "__call__") or name in {*BALLS, *INNER, "bound", "noted"}:
+            if not (inspect.isroutine(method) or name == "__call__") or name in {*BALLS, *INNER, "bound", "with_notes"}:
                 continue
             usual = {k: v for k, v in METHODS.get(name, {}).items() if k in inspect.signature(method).parameters}
             if isinstance(thing, asy.Equations) and thing.oscillator is not None:

@@ -99,8 +99,8 @@ def _cells_again(answer: Answered, again: Again, digits: int) -> Cells:
     if not answer.certified:
         raise InputError("FILE", "no route certifies what its request gives: estimates", "a file of certified values")
     cells = again.rows([tuple(row) for row in rows], header)
-    apart = frozenset((again.apart & set(header)) | {"code"})
-    return Cells(header, tuple(cells), keys, apart, method=f"{answer.question.name} again, at {digits} digits")
+    not_judged = frozenset((again.not_judged & set(header)) | {"code"})
+    return Cells(header, tuple(cells), keys, not_judged, method=f"{answer.question.name} again, at {digits} digits")
 
 
 def _swept_names(words: list[str], header: list[str]) -> tuple[str, list[str]]:
@@ -122,13 +122,13 @@ def sweep_again(command: str, names: list[str], header: list[str], rows: Rows, d
     """
     again = loaded(command).offers.again or Again()
     kept = set(again.judged or header)
-    apart = {n for n in header if n not in names and (n not in kept or set(n.split(".")) & _TOLD or n == "failed")}
-    apart |= {"code"}
+    not_judged = {n for n in header if n not in names and (n not in kept or set(n.split(".")) & _TOLD or n == "failed")}
+    not_judged |= {"code"}
     route = again.route or f"{command} again at each row, at {digits} digits"
     found, unsure = list[tuple[str, ...]](), set[tuple[str, ...]]()
 
     def right() -> Cells:
-        return Cells(tuple(header), tuple(found), tuple(names), frozenset(apart), frozenset(unsure), route)
+        return Cells(tuple(header), tuple(found), tuple(names), frozenset(not_judged), frozenset(unsure), route)
 
     def so_far() -> Comparison | None:
         return cells_so_far(rows, header, right(), digits)

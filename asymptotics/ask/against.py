@@ -34,7 +34,7 @@ _SAID = (*PHYSICAL, "alpha", "epsilon", "law", "x0", "v0")
 
 
 @dataclass(frozen=True)
-class Said:
+class GivenInputs:
     """A law and its oscillator, or the inputs of a table, as an object, or as options (also those of a header)."""
 
     law: LawLike | None = None
@@ -84,9 +84,9 @@ def _sum(laws: list[str]) -> Law:
     return read_law(argparse.Namespace(alpha=None, epsilon=None, law=laws), "epsilon")
 
 
-SAID = Kind(
-    "LAW", lambda law, _, alpha=None, epsilon=None: Said(law, alpha=alpha, epsilon=epsilon),
-    assemble=lambda options: Said(options=options), beside=("alpha", "epsilon"), group="the law",
+GIVEN_INPUTS = Kind(
+    "LAW", lambda law, _, alpha=None, epsilon=None: GivenInputs(law, alpha=alpha, epsilon=epsilon),
+    assemble=lambda options: GivenInputs(options=options), beside=("alpha", "epsilon"), group="the law",
     feeds={**LAW_FEEDS, "alpha": ("alpha", "law")},
     options=(
         *law_options("its dimensionless strength, b omega_0^alpha x0^(alpha-1) / k", springs=False),
@@ -99,12 +99,12 @@ SAID = Kind(
 class Beside:
     """A comparison that is still to be made, and what the values are held against, in words."""
 
-    told: str
+    description: str
     make: Callable[[], Comparison]
 
 
 def beside(
-    source: Path | Mapping[str, Any], said: Said, table: str | None, columns: str | None, digits: int | None
+    source: Path | Mapping[str, Any], said: GivenInputs, table: str | None, columns: str | None, digits: int | None
 ) -> Beside:
     """What ``source`` is held against."""
     path = source if isinstance(source, Path) else None
@@ -121,8 +121,8 @@ def beside(
         said = _of_its_header(path, series=name is not None)
     if name is None:
         given = said.moving()
-        told = str(given.oscillator if given.frame else given.oscillator.law)
-        return Beside(told, partial(compare_file, source, given, columns=columns, digits=digits))
+        description = str(given.oscillator if given.frame else given.oscillator.law)
+        return Beside(description, partial(compare_file, source, given, columns=columns, digits=digits))
     inputs = said.inputs(name, needed=table is None)
     return Beside(name, partial(compare_table, source, name, inputs, columns=columns, digits=digits))
 
@@ -138,7 +138,7 @@ def _by_its_head(path: Path, columns: str | None, digits: int | None) -> Beside 
     return Beside(f"{head.table}, with the inputs of its head", partial(make, columns=columns, digits=digits))
 
 
-def _of_its_header(path: Path, *, series: bool) -> Said:
+def _of_its_header(path: Path, *, series: bool) -> GivenInputs:
     """The oscillator that the file's own header says; coefficients have their exponents alone."""
     inputs = stated_inputs(path)
     if "static" in inputs:
@@ -150,7 +150,7 @@ def _of_its_header(path: Path, *, series: bool) -> Said:
         reason = f"it is of an oscillator with --{special}, and its header does not name the request"
         raise InputError("FILE", reason, "a motion, or turning points written by --csv of this version")
     kept = {k: v for k, v in inputs.items() if k in ("alpha", "law") or not series}
-    return Said(options=argparse.Namespace(**{**dict.fromkeys(INPUTS), **kept}))
+    return GivenInputs(options=argparse.Namespace(**{**dict.fromkeys(INPUTS), **kept}))
 
 
 def _is_motion(path: Path) -> bool:

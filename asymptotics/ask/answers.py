@@ -72,7 +72,7 @@ Part = Callable[[Any, Request], Any]
 class Again:
     """How a table of a question is held against the same question at more digits (``again``).
 
-    ``keys``: columns by which a row is found; ``apart``: those of bounds and remarks, of which more digits say nothing.
+    ``keys``: columns by which a row is found; ``not_judged``: bounds and remarks, of which more digits say nothing.
     ``at``: the point at which it is asked again; ``rows``: what is right in the place of a row.  Of a sweep: ``judged``
     columns (none: all), and the ``route`` that judges them.  ``exact``: what it says is proved, though no field says
     so.  ``compared``: an own way, of the words of the header, the head, the rows, the digits and the errors that
@@ -80,7 +80,7 @@ class Again:
     """
 
     keys: tuple[str, ...] = ("part", "series", "k", "quantity", "n", "i")
-    apart: frozenset[str] = frozenset(("remark", "low", "high"))
+    not_judged: frozenset[str] = frozenset(("remark", "low", "high"))
     at: Callable[[Mapping[str, str], int], dict[str, str]] = lambda point, digits: {**point, "digits": str(digits)}
     rows: Callable[[list[tuple[str, ...]], tuple[str, ...]], list[tuple[str, ...]]] = lambda rows, _: rows
     judged: tuple[str, ...] = ()

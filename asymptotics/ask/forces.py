@@ -21,10 +21,11 @@ import argparse
 from dataclasses import dataclass
 
 from asymptotics.errors import InputError
-from asymptotics.law import PENDULUM, Law
+from asymptotics.law import Law
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_real
 from asymptotics.numbers.integers import parse_integer
 from asymptotics.terms import MAX_POSITION, Term
+from asymptotics.terms_given import PENDULUM
 
 # The work grows like the monomials of so many strengths; an exponent above 1000 is a wall, not a law.  Refusals.
 MAX_FORCES, MAX_ALPHA = 4, 1000

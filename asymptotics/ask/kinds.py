@@ -87,7 +87,7 @@ class Kind:
 
     letter: str
     read: Callable[..., Any]
-    told: str = ""
+    suffix: str = ""
     schema: Mapping[str, Any] = field(default_factory=lambda: {"type": "string"})
     group: str = COMPUTED
     option: str = ""

@@ -13,7 +13,7 @@ from asymptotics.made_by import line as made_by_line
 from asymptotics.present.drawn import Drawn, pictured
 from asymptotics.present.html import block, mathml
 from asymptotics.present.letters import defined
-from asymptotics.present.page import displayed, figure, page, table, text, told
+from asymptotics.present.page import displayed, figure, page, paragraphs, table, text
 from asymptotics.present.shown import Shown
 from asymptotics.present.signs import signs
 
@@ -25,7 +25,7 @@ def page_of(question: Question, request: Request, found: Any, words: Sequence[st
     formula = offers.formula_of(found, request)
     where = defined(f"{equation} {formula}", offers.letters(found, request))
     parts = [
-        f"<h1>{_told(question.page.partition(chr(10))[0].rstrip(':.'))}</h1>",
+        f"<h1>{_in_signs(question.page.partition(chr(10))[0].rstrip(':.'))}</h1>",
         displayed(equation) if equation else "",
         displayed(formula) if formula else "",
         _where(where),
@@ -38,7 +38,7 @@ def page_of(question: Question, request: Request, found: Any, words: Sequence[st
     return page(f"asymptotics {question.name}", "\n".join(part for part in parts if part))
 
 
-def _told(words: str) -> str:
+def _in_signs(words: str) -> str:
     """Text with its mathematics in signs."""
     return signs(text(words))
 
@@ -54,7 +54,7 @@ def _where(defined_letters: str) -> str:
     if not defined_letters:
         return ""
     parts = defined_letters.split("$")  # words and letters in turn
-    shown = [mathml(part) if i % 2 else _told(part) for i, part in enumerate(parts)]
+    shown = [mathml(part) if i % 2 else _in_signs(part) for i, part in enumerate(parts)]
     return f'<p class="small">where {"".join(shown)}</p>'
 
 
@@ -63,7 +63,7 @@ def _answer(question: Question, request: Request, found: Any) -> str:
     offers = question.offers
     results = offers.shown(found, request)
     if not all(isinstance(result, Shown) for result in results):
-        return told(f"{offers.text(found, request)}\n{offers.besides(found, request)}".splitlines())
+        return paragraphs(f"{offers.text(found, request)}\n{offers.besides(found, request)}".splitlines())
     pages = [result._page() for result in results]
     return "\n".join(block(each.title, each.lines, each.head, each.rows) for each in pages)
 

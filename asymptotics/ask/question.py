@@ -29,6 +29,7 @@ from asymptotics.errors import InputError
 from asymptotics.numbers.policy import float_notes
 from asymptotics.running.budget import DEFAULT_SECONDS
 from asymptotics.running.public import public, public_beside_others
+from asymptotics.running.signature import readable
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -54,7 +55,7 @@ class Asked:
     @property
     def option(self) -> Option:
         """The one option of the shell that sets it."""
-        kind, told = self.kind, self.help + self.kind.told
+        kind, told = self.kind, self.help + self.kind.suffix
         unsaid = self.default is None or self.default is False or self.default in (inspect.Parameter.empty, "", ())
         default = kind.default or ("" if unsaid or kind.needed else self.default)
         if told.count("(") > told.count(")"):
@@ -176,9 +177,9 @@ class Question:
         special |= any("," in text.partition(":")[0] for text in getattr(options, "law", None) or ())
         if self.offers.oscillator_alone or (self.offers.from_rest and not special):
             return []
-        return self.told(options)
+        return self.as_typed(options)
 
-    def told(self, options: argparse.Namespace) -> list[str]:
+    def as_typed(self, options: argparse.Namespace) -> list[str]:
         """The request in words: the command, and the options that were given."""
         told = [self.name]
         for option in self.header_options:
@@ -269,16 +270,14 @@ def question(
             values = made.read(given)
             rest = {n: v for n, v in given.items() if n not in values}
             try:
-                return noted(compute(**values, **rest), _floats(made, given))
+                return with_notes(compute(**values, **rest), _floats(made, given))
             except InputError as error:
                 raise made.in_python(error) from error
 
         called: Any = ask
         called.__kwdefaults__ = compute.__kwdefaults__
         timed: Any = (public if alone else public_beside_others)(called)
-        plain = get_type_hints(function)
-        kept = [p.replace(annotation=plain.get(n, p.annotation)) for n, p in signature.parameters.items()]
-        timed.__signature__ = signature.replace(parameters=kept)
+        timed.__signature__ = readable(function, get_type_hints(function))
         timed.__question__ = made
         return cast("Callable[P, T]", timed)
 
@@ -310,7 +309,7 @@ def _floats(made: Question, given: Mapping[str, Any]) -> tuple[str, ...]:
     return tuple(note for name, each in several.items() for v in each for note in float_notes(**{name: v}))
 
 
-def noted(found: Any, notes: tuple[str, ...]) -> Any:
+def with_notes(found: Any, notes: tuple[str, ...]) -> Any:
     """The result with the notes of what was read besides its own, where it has any."""
     if not notes or not is_dataclass(found) or not hasattr(found, "notes"):
         return found

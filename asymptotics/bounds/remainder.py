@@ -38,12 +38,35 @@ class ExpansionBounds(Alike, Shown):
 
 @public
 def remainder(law: LawLike, *, order: int = 4, max_seconds: Number = 60) -> ExpansionBounds:
-    """Proved constants of what the expansion of this order leaves out, turning-point gauge, powers of the velocity.
+    """Proved constants of what the expansion of this order leaves out, in the turning-point gauge.
 
-    |L - L_N| <= C_A d^a and |T - T_N| <= C_T d^b on each half-swing, d = sum_i delta_i up to ``delta_max``; for
-    exponents >= 1 also |x - x_N| <= C A d^N for every t >= 0.  InputError for other forces or an order above 12,
-    LimitError after ``max_seconds``.  Source: derivations ``expansion-bounds``, ``uniform-bound``.
+    |L - L_N| <= C_A d^a and |T - T_N| <= C_T d^b on each half-swing, d = sum_i delta_i up to ``delta_max``, L the
+    logarithm of the ratio of its amplitudes and T its duration; for exponents >= 1 also |x - x_N| <= C A d^N for every
+    t >= 0. Source: derivations ``expansion-bounds``, ``uniform-bound``.
 
+    Parameters
+    ----------
+    law
+        powers of the velocity: an exponent, a list of exponents, a law or an oscillator
+    order
+        N, 1 to 12
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    ExpansionBounds
+        ``half_swing`` and ``displacement`` (None where an exponent is below 1): constants, powers, and the range of d
+
+    Raises
+    ------
+    InputError
+        for other forces and an order out of range
+    LimitError
+        after ``max_seconds``
+
+    Examples
+    --------
     >>> remainder(2, order=3).to_dict()["amplitude_power"]
     5
     """

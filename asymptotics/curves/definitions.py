@@ -1,6 +1,6 @@
 """What the letters of a solution mean where waveforms or rates do not close: X_j, f_j, g_j, K_j, L_j, V_j, p_j, ...
 
->>> from asymptotics.curves.solution import solution
+>>> from asymptotics.curves.solve import solution
 >>> [str(e.lhs) for e in definitions_of(solution("symbolic", order=5))][4:8]
 ['p_1', 'Omega_2', 'p_3', 'Omega_4']
 """

@@ -16,6 +16,7 @@ from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.bridge import from_sympy
 from asymptotics.numbers.context import ctx
+from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.terms import Term
 
@@ -55,9 +56,11 @@ def amplitude_and_phase(
 
 
 def _decimal(form: sympy.Expr, digits: int) -> str:
-    # Ten digits more than are shown; SymPy raises its own precision where terms cancel.
+    # Ten digits more than are shown; SymPy raises its own precision where terms cancel.  A number of mpmath is rounded
+    # to the precision in force, which is that of a double outside.
     value = sympy.N(form, digits + 10)
-    return mpmath.nstr(mpmath.mpf(value), digits, strip_zeros=False) if value else "0"
+    with workdps(digits + 10):
+        return mpmath.nstr(mpmath.mpf(value), digits, strip_zeros=False) if value else "0"
 
 
 def _require_before_extinction(series: EnvelopeSeries, numbers: dict[sympy.Symbol, sympy.Float]) -> None:

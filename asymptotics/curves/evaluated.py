@@ -3,7 +3,7 @@
 Polynomial and closed waveforms are evaluated as they stand; open integrals come from the table of ``waves`` (doubles)
 and from its balls (mpmath), the rates without a closed form from the certified half-swing at the precision asked for.
 
->>> from asymptotics.curves.solution import solution
+>>> from asymptotics.curves.solve import solution
 >>> found = solution({"3/2": "1/10"}, order=4)
 >>> [x[:25] for x in (found.at(7, digits=20).x, found.at(7, digits=60).x)]
 ['0.58239487308158191715', '0.58239487308158191714515']
@@ -106,8 +106,8 @@ def numbers(s: Any, number: Expr, digits: int) -> tuple[Any, Any, Any]:
     # 1/D = 1 - (1-alpha) p_1 epsilon tau is positive until A_0 vanishes; beyond, the root of a negative number would
     # give complex digits without a word.
     rough = _values(s, number, 45)
-    if s.alpha < 1 and not s.begun(1 / s.leading[1]).subs(rough).evalf(30) > 0:
-        end = s.begun(1 / ((1 - s.alpha) * s.p_1 * epsilon)).subs(rough).evalf(6)
+    if s.alpha < 1 and not s.with_start_strength(1 / s.leading[1]).subs(rough).evalf(30) > 0:
+        end = s.with_start_strength(1 / ((1 - s.alpha) * s.p_1 * epsilon)).subs(rough).evalf(6)
         raise InputError("time", f"A_0 has vanished at tau = {end}", "an earlier time")
     # Fifteen decimals more than are shown, for what cancels in A, phi and the waveform, and those that the turns of the
     # phase take; not proved to suffice, and ``certified`` is False.

@@ -46,7 +46,7 @@ class Events(Alike, Rows):
 
     def _page(self) -> Page:
         time = self.frame.time
-        stop, until = (self.frame.told("t", f"{t:.10g}") if t is not None else "" for t in (self.stop, self.until))
+        stop, until = (self.frame.with_unit("t", f"{t:.10g}") if t is not None else "" for t in (self.stop, self.until))
         stop = f"it stops at {time} = {stop}" if stop else "it does not stop"
         counted = [
             f"{n} {name}{'s' * (n != 1)}"

@@ -117,7 +117,9 @@ class SpringEnvelope(SlowNumbers, Drawn):
         """The time in s at which the turning amplitude falls to ``amplitude`` (m)."""
         metres = exact_number(amplitude, "amplitude")
         if not 0 < metres <= abs(self.oscillator.x0):
-            raise InputError("amplitude", f"{self.frame.told('x', metres)} is not on the way", "0 < amplitude <= A(0)")
+            raise InputError(
+                "amplitude", f"{self.frame.with_unit('x', metres)} is not on the way", "0 < amplitude <= A(0)"
+            )
         # Decided exactly: the integral from A(0) to A(0) in balls is a ball around 0, which has no first digit.
         if metres == abs(self.oscillator.x0):
             return "0"
@@ -310,7 +312,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         rows += (
             (
                 "period at the start, without loss",
-                self.frame.told("period", self.period(abs(self.oscillator.x0), digits=12)),
+                self.frame.with_unit("period", self.period(abs(self.oscillator.x0), digits=12)),
             ),
         )
         worth = "certified digits of the averaged law"

@@ -23,12 +23,13 @@ from asymptotics.motions.result import MotionSamples
 from asymptotics.motions.state_route import alone
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.running.budget import Unasked
 from asymptotics.running.cut_short import changed, keeping
 
 # 14 digits of the reference are right in a double to all but its last place or two; more would not be seen.
 _REFERENCE_DIGITS = 14
 # Of the estimate, which is good to a factor of three: beyond, a table is refused and an error curve left out.
-_MAX_SECONDS = 60.0
+_MAX_SECONDS = Unasked(60)
 
 
 def motion_table(moving: Motion | Reference, until: ExactReal, points: int) -> MotionSamples:

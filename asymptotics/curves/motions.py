@@ -41,13 +41,13 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, exact_number, float_notes, require_one
 from asymptotics.present.drawn import Drawn, below
 from asymptotics.present.shown import Page
-from asymptotics.running.budget import seconds_left
+from asymptotics.running.budget import Unasked, seconds_left
 from asymptotics.running.public import public
 
 Array = Any
 # 15 digits of the reference are what a double shows; 120 s (the estimates are good to a factor of three) bound the work
 # of a curve.  They refuse, they decide no digit.
-DIGITS, MAX_SECONDS = 15, 120
+DIGITS, MAX_SECONDS = 15, Unasked(120)
 # Points of a drawing: an expansion costs microseconds a point, a reference a certified step or more.
 POINTS, ERROR_POINTS, REFERENCE_POINTS = 4001, 241, 401
 
@@ -71,20 +71,23 @@ class Motion(Drawn):
 
     @public
     def at(self, t: Number, *, digits: int | None = None, max_seconds: Number = 60) -> MotionPoint:
-        """One time in s; without ``digits`` every value is rounded to the error estimate of x."""
+        """x, v, A and phi at one time ``t`` in s (tau of a law alone), to ``digits`` digits of the expansion.
+
+        Without ``digits`` every value is rounded to the error estimate of x, which ``error`` has.
+        """
         require_one(t, "t", "sample(t)")
         time, notes = exact_number(t, "t"), (*self.notes, *float_notes(t=t))
         if digits is not None:
-            return self._told(self._motion.at(time, exact_integer(digits, "digits", 1, 300)), notes)
+            return self._with_frame(self._motion.at(time, exact_integer(digits, "digits", 1, 300)), notes)
         # Thirty digits of an expansion that is right to five would mislead: they are asked for by ``digits``.
-        return self._told(self._motion.at(time).rounded_to_error(), notes)
+        return self._with_frame(self._motion.at(time).rounded_to_error(), notes)
 
-    def _told(self, point: MotionPoint, notes: tuple[str, ...]) -> MotionPoint:
-        return replace(point.noted(notes), frame=self.frame)
+    def _with_frame(self, point: MotionPoint, notes: tuple[str, ...]) -> MotionPoint:
+        return replace(point.with_notes(notes), frame=self.frame)
 
     @public
     def bound(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
-        """A proved bound, rounded up, of |x(t) - x_N| in m, where x_N is ``at(t, digits=digits).x``.
+        """A proved bound, rounded up, of |x(t) - x_N| in m, x_N being ``at(t, digits=digits).x``; ``t`` in s, or tau.
 
         LimitError where no enclosure of x(t) is within a minute's reach.
         """
@@ -105,18 +108,18 @@ class Motion(Drawn):
 
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
-        """Many times (array-like, s): arrays x, v, amplitude, phase of the same shape, in doubles."""
+        """Arrays x, v, amplitude and phase of the shape of the times ``t`` (s, or tau), in doubles."""
         return replace(self._motion.sample(times_of(t)), frame=self.frame)
 
     @public
     def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
-        """The dense solution: array [x, v] at t, as the ``sol`` of SciPy's ``solve_ivp``."""
+        """The dense solution: array [x, v] at the times ``t`` (s, or tau), as the ``sol`` of SciPy's ``solve_ivp``."""
         found = self.sample(t)
         return np.array([found.x, found.v])
 
     @public
     def events(self, until: Number, *, max_seconds: Number = 60) -> Events:
-        """Turning points, zeros and the stop in 0 < t <= until (s)."""
+        """Turning points, zeros and the stop in 0 < t <= ``until`` (s, or tau)."""
         return events_of(self, until, None)
 
     def _heading(self) -> str:
@@ -171,7 +174,10 @@ class Reference(ProvedStates, Drawn):
 
     @public
     def at(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> MotionPoint:
-        """One time in s to ``digits`` significant digits; ``certified`` and ``method`` say what they are worth."""
+        """x and v at one time ``t`` in s (of a law alone tau), to ``digits`` significant digits, 1 to 1000.
+
+        ``certified`` and ``method`` say what they are worth.
+        """
         require_one(t, "t", "sample(t)")
         point = reference_motion(
             self.oscillator,
@@ -180,11 +186,11 @@ class Reference(ProvedStates, Drawn):
             static=self.static,
             max_seconds=seconds_left(),
         )
-        return replace(point.noted((*self.notes, *float_notes(t=t))), frame=self.frame)
+        return replace(point.with_notes((*self.notes, *float_notes(t=t))), frame=self.frame)
 
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
-        """Many times (array-like, s): arrays x and v in doubles, from one computation; NaN stays in its place."""
+        """Arrays x and v of the shape of the times ``t`` (s, or tau), in doubles; NaN stays in its place."""
         times = times_of(t)
         missing = np.isnan(times)
         if np.any(times < 0):
@@ -198,13 +204,13 @@ class Reference(ProvedStates, Drawn):
 
     @public
     def sol(self, t: ArrayLike, *, max_seconds: Number = 60) -> Array:
-        """The dense solution: array [x, v] at t."""
+        """The dense solution: array [x, v] at the times ``t`` (s, or tau), as the ``sol`` of SciPy's ``solve_ivp``."""
         found = self.sample(t)
         return np.array([found.x, found.v])
 
     @public
     def events(self, until: Number, *, max_seconds: Number = 60) -> Events:
-        """Turning points, zeros and the stop in 0 < t <= until (s)."""
+        """Turning points, zeros and the stop in 0 < t <= ``until`` (s, or tau)."""
         stop = None
         if self.is_dry:
             stop = float(coulomb_stop(self.oscillator, DIGITS, static=self.static).t)
@@ -262,9 +268,38 @@ class Reference(ProvedStates, Drawn):
 
 @public
 def motion(law: LawLike, *, order: int = 3, gauge: str = TURNING_POINT, max_seconds: Number = 60) -> Motion:
-    """The asymptotic motion of an oscillator (SI) or of a law alone (m = k = x0 = 1); order 1 is Lancaster (13).
+    """The asymptotic motion x(t), v(t) of any law, as a function of time: formal, with an error estimate at each time.
 
-    InputError for an unknown gauge, an order out of range, or anti-damping, at once.
+    x = A cos(psi) + sum_k delta^k x_k(psi), where A and psi solve the equations of ``expand`` through ``order``; order
+    1 is Lancaster (2020), (13). ``bound`` and ``uniform_bound`` of what is returned are proved.
+
+    Parameters
+    ----------
+    law
+        a mapping exponent -> strength (epsilon, where m = k = x0 = 1), a ``Law``, or an ``Oscillator`` (b, in SI)
+    order
+        of the expansion, 1 to 12
+    gauge
+        what A and psi are: "turning-point", "averaging" or "no-first-harmonic"
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    Motion
+        ``at`` a time, ``sample`` for arrays of times, ``events``, ``plot``; in s and m, of a law alone in 1/omega_0 and
+        x0
+
+    Raises
+    ------
+    InputError
+        for an unknown gauge, an order out of range and anti-damping, before anything is computed
+
+    Examples
+    --------
+    >>> found = motion(Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5"))
+    >>> found.at(7).x, found.bound(7)[:4]                                # the second is proved
+    ('0.16385309', '3.2e')
     """
     given = given_of(law)
     return Motion(given.oscillator, order, gauge, given.oscillator.notes, frame=given.frame)
@@ -272,7 +307,37 @@ def motion(law: LawLike, *, order: int = 3, gauge: str = TURNING_POINT, max_seco
 
 @public
 def reference(law: LawLike, *, static: Number | None = None, max_seconds: Number = 60) -> Reference:
-    """The reference motion of an oscillator (SI) or of a law alone; ``static``: a static friction force in N."""
+    """The reference motion x(t), v(t) of any law: without expansion, its digits certified wherever that can be done.
+
+    Closed forms where there are any (dry friction with sticking, viscous damping), else enclosures of the return map
+    and of Taylor steps in balls; ``certified`` and ``method`` of each value say which.
+
+    Parameters
+    ----------
+    law
+        a mapping exponent -> strength (epsilon, where m = k = x0 = 1), a ``Law``, or an ``Oscillator`` (b, in SI)
+    static
+        a static friction force in N, not below the sliding one; for dry friction alone
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    Reference
+        ``at`` a time, ``sample`` for arrays of times, ``events``, ``plot``; in s and m, of a law alone in 1/omega_0 and
+        x0
+
+    Raises
+    ------
+    InputError
+        for anti-damping, and a static force that is none or has no dry friction beside it
+
+    Examples
+    --------
+    >>> point = reference({"3/2": "1/10"}).at(7, digits=20)
+    >>> point.x, point.certified
+    ('0.58239509739652164137', True)
+    """
     given = given_of(law)
     return Reference(given.oscillator, static, given.oscillator.notes, frame=given.frame)
 

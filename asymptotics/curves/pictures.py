@@ -16,9 +16,37 @@ from asymptotics.running.public import public
 
 @public
 def plot(*results: Any, ax: Any = None, max_seconds: Number = 60, **style: Any) -> Any:
-    """Results with a curve on the same axes (new ones by default), which are returned; ``style`` as in ``Motion.plot``.
+    """Results with a curve on the same axes, each under its own name.
 
-    InputError for no result, and for one that has no curve.
+    Parameters
+    ----------
+    results
+        what ``motion``, ``envelope``, ``reference``, ``solution``, ``turning_points``, ... return
+    ax
+        Matplotlib axes to draw on; new ones where it is None
+    max_seconds
+        the time the call may take, in s
+    style
+        ``until`` (s, or tau) ends the curves in time, ``size`` (inches) is that of new axes; the rest goes to the main
+        lines of Matplotlib
+
+    Returns
+    -------
+    Axes
+        the axes of Matplotlib
+
+    Raises
+    ------
+    InputError
+        for no result, one that has no curve, a style that Matplotlib does not know, and where the extra ``plot`` is
+        missing
+
+    Examples
+    --------
+    >>> from asymptotics.curves.motions import motion
+    >>> axes = plot(motion({2: "1/10"}), motion({1: "1/10"}), until=20)
+    >>> len(axes.lines)                                                  # of each x and both sides of its envelope
+    6
     """
     # All are looked at before the first is drawn: half a picture is worse than a refusal.
     for result in results:

@@ -1,7 +1,7 @@
 """A solution with what is proved of its error, for all times at once (``bounds.explicit``, ``bounds.uniform``).  A
 differential inequality along the nonexpansive flow turns the defect of the formula into a bound of its error.
 
->>> from asymptotics.curves.solution import solution
+>>> from asymptotics.curves.solve import solution
 >>> air = solution({2: "1/20"}, order=2)
 >>> air.proved(), air.proved_until("1/1000000")
 (|x - x_N| <= 0.000023 for ever: proved, |x - x_N| <= 1/1000000 for 0 <= t <= 0: not proved)

@@ -130,7 +130,7 @@ def _slow_part(s: Any) -> tuple[Expr, Expr, Expr, Expr, list[Eq]]:
     found = (*s.leading, A_0 * s.relative, s.slow_phase)
     if s.start is None:
         return *found, []
-    leading, slow, relative, slow_phase = (s.begun(e) for e in found)
+    leading, slow, relative, slow_phase = (s.with_start_strength(e) for e in found)
     a_0, phi_0, _ = s.letters
     # Unevaluated: SymPy would decide at once that two expressions are equal or not, and print True.
     begin = [Eq(letter, value, evaluate=False) for letter, value in s.letters.items()]

@@ -10,12 +10,10 @@ averaged equation (Krylov and Bogoliubov; Bogoliubov and Mitropolsky, 1961) is s
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import partial
 from typing import Any
 
 import numpy as np
 import sympy
-from flint import arb
 from numpy.typing import ArrayLike
 
 from asymptotics.curves.envelope_order import acting_term, amplitude_and_phase, require_rest
@@ -26,7 +24,7 @@ from asymptotics.curves.slow_series import MAX_ORDER as MAX_SERIES_ORDER
 from asymptotics.curves.slow_series import EnvelopeSeries, envelope_series
 from asymptotics.curves.slowness import SlowPart, slow_part
 from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
-from asymptotics.envelopes.first_order import FirstOrderEnvelope, exact_kappa
+from asymptotics.envelopes.first_order import FirstOrderEnvelope
 from asymptotics.envelopes.hypergeometric import time_of_amplitude
 from asymptotics.envelopes.long_time import extinction, long_time
 from asymptotics.envelopes.slow_time import epsilon
@@ -40,8 +38,6 @@ from asymptotics.motions.certify import time_of
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
-from asymptotics.numbers.decimals import certified_decimal
-from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, require_one
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
@@ -71,34 +67,37 @@ class Envelope(SlowNumbers, Drawn):
 
     @public
     def amplitude(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
-        """A(t) in m, correctly rounded; "0" from the extinction time of the averaged law on."""
+        """A at the time ``t`` (s, or tau) in m, to ``digits``, correctly rounded; "0" once the law is extinct."""
         require_one(t, "t", "amplitudes(t)")
         return self._law.amplitude(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
     def phase(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
-        """phi(t) in rad, turning-point gauge."""
+        """phi at the time ``t`` (s, or tau) in rad, to ``digits``, correctly rounded; turning-point gauge."""
         require_one(t, "t", "phases(t)")
+        self._require_phase()
         return self._law.phase(t, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
     def time(self, amplitude: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
-        """The time in s at which A falls to ``amplitude`` (m)."""
+        """The time in s at which A falls to ``amplitude`` (m, or x0), to ``digits``, correctly rounded."""
         return self._law.time(amplitude, exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
     def extinction_time(self, *, digits: int = 30, max_seconds: Number = 60) -> str | None:
-        """When the averaged amplitude reaches 0 (some alpha < 1): the end of the averaged law, not of the motion."""
+        """When the averaged amplitude is 0 (some alpha < 1), to ``digits``: the end of that law, not of the motion."""
         return self._law.extinction_time(exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @public
     def slow(self, eta: Number = "1/10", *, max_seconds: Number = 60) -> SlowPart:
-        """Where |dA/dt| <= eta omega_0 A: times in s for one law, amplitudes in m for a sum; doubles, heuristic."""
+        """Where |dA/dt| <= ``eta`` omega_0 A: times in s of one law, amplitudes in m of a sum; doubles."""
         return slow_part(self._law, eta, self.frame)
 
     @public
     def series(self, order: int = 4, *, digits: int = 30, max_seconds: Number = 60) -> EnvelopeSeries:
         """tau, phi and delta beyond the first order, for one law with alpha != 1; dimensionless and formal.
+
+        ``order``: the last one; ``digits``: of its coefficients, correctly rounded.
 
         >>> print(envelope({2: "1/10"}).series(4))
         delta = epsilon A^(alpha-1), alpha = 2: through order 4, turning-point gauge, formal
@@ -116,7 +115,9 @@ class Envelope(SlowNumbers, Drawn):
 
     @public
     def at_order(self, t: Number, order: int = 4, *, digits: int = 30, max_seconds: Number = 60) -> tuple[str, str]:
-        """A and phi at a time (s), of ``order``, explicit in the slow time: one law from rest; formal, not certified.
+        """A and phi at the time ``t`` (s, or tau) of an ``order``, explicit in the slow time, to ``digits``.
+
+        One law from rest; formal, not certified.
 
         >>> envelope({2: "1/10"}).at_order(7, 3, digits=9)
         ('0.770941859', '-0.00899449816')
@@ -127,16 +128,8 @@ class Envelope(SlowNumbers, Drawn):
 
     @public
     def kappas(self, *, digits: int = 30, max_seconds: Number = 60) -> tuple[str, ...]:
-        """kappa_i = M_(alpha_i+1) epsilon_i, correctly rounded."""
-        D = exact_integer(digits, "digits", 1, MAX_DIGITS)
-        terms = self.oscillator.dimensionless.terms
-
-        def rate(i: int) -> arb | ExactReal:
-            # A rational rate may be a tie between two decimals, which no ball tells from its neighbours; other rates
-            # are balls.
-            return exact_kappa(terms[i]) or self.oscillator.kappas()[i]
-
-        return tuple(certified_decimal(partial(rate, i), D) for i in range(len(terms)))
+        """kappa_i of this averaging (``envelope``), to ``digits`` significant digits, correctly rounded."""
+        return self._law.kappas(exact_integer(digits, "digits", 1, MAX_DIGITS))
 
     @property
     def formula(self) -> ClosedForm | None:
@@ -193,6 +186,11 @@ class Envelope(SlowNumbers, Drawn):
         """
         return long_time(self._symbols())
 
+    def _require_phase(self) -> None:
+        """InputError for the squaring trick, which is one for the amplitude."""
+        if self.averaging != MEAN:
+            raise InputError("averaging", f"{self.averaging} gives an amplitude alone, without a phase", MEAN)
+
     def _alone(self) -> AveragedLaw | None:
         """The one law in closed form."""
         alphas = list(self._symbols())
@@ -205,17 +203,18 @@ class Envelope(SlowNumbers, Drawn):
 
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
-        """Arrays of amplitude and phase at many times (s), with the motion x = A cos(omega_0 t + phi): doubles."""
+        """Arrays of A, phi and x = A cos(omega_0 t + phi) at the times ``t`` (s, or tau): doubles."""
+        self._require_phase()
         return replace(AsymptoticMotion.of(self.oscillator, 1).sample(times_of(t)), frame=self.frame)
 
     @public
     def amplitudes(self, t: ArrayLike, *, max_seconds: Number = 60) -> Any:
-        """A in m at an array of times in s: doubles; NaN stays NaN, extinct is 0."""
+        """A in m at an array of times ``t`` (s, or tau): doubles; NaN stays NaN, extinct is 0."""
         return self._law.amplitudes(np.asarray(times_of(t)))
 
     @public
     def phases(self, t: ArrayLike, *, max_seconds: Number = 60) -> Any:
-        """phi in rad at an array of times in s, 0 at the start: doubles; NaN where it is not known."""
+        """phi in rad at an array of times ``t`` (s, or tau), 0 at the start: doubles; NaN where it is not known."""
         # The squaring trick is one for the amplitude: it has no phase.
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
@@ -254,7 +253,7 @@ class Envelope(SlowNumbers, Drawn):
 
     @public
     def columns(self, t: ArrayLike, *, order: int | None = None, max_seconds: Number = 60) -> tuple[Any, Any, Any]:
-        """Arrays t, A, phi at times in s, in doubles: first order, or ``order`` of one law from rest (``series``)."""
+        """Arrays t, A, phi at the times ``t`` (s, or tau), in doubles, of an ``order`` (``series``), else the first."""
         times = times_of(t)
         if order is None:
             return times, self.amplitudes(times), self.phases(times)
@@ -313,12 +312,13 @@ class Envelope(SlowNumbers, Drawn):
         title, *rest = str(self).splitlines()
         rows = tuple((f"kappa_{i}", k) for i, k in enumerate(self.kappas(digits=12), start=1))
         end = self.extinction_time(digits=12)
-        rows += () if end is None else (("extinct from", self.frame.told("t", end)),)
+        rows += () if end is None else (("extinct from", self.frame.with_unit("t", end)),)
         worth = "certified digits of the averaged law (first order); how far it is from the motion, motion() tells"
         return Page(title, (*rest, worth, f"{self.oscillator}", *self.notes), ("", "value"), rows)
 
     def _letters(self) -> dict[str, str]:
-        return {"A": "slow amplitude; A(0) at the start"}
+        own = {} if self.averaging == MEAN else {r"\kappa": "2^(-(alpha+1)/2) epsilon, the rate of the squaring trick"}
+        return {"A": "slow amplitude; A(0) at the start", **own}
 
     def _formula(self) -> str:
         form = self.formula
@@ -329,11 +329,33 @@ class Envelope(SlowNumbers, Drawn):
 
 @public
 def envelope(law: LawLike, *, averaging: str = MEAN, max_seconds: Number = 60) -> Envelope | SpringEnvelope:
-    """The first-order envelope of an oscillator (SI) or of a law alone; ``averaging`` "mean" (Lancaster) or "squaring".
+    """The envelope A(t) and phase phi(t) of first order: of dA/dtau = -sum_i kappa_i A^alpha_i, solved in balls.
 
-    Beside a spring c x^3, or for a pendulum, it is exact in the spring for any amplitude inside the well.  InputError
-    for anti-damping, other springs, position-dependent losses (but beside x^3), and an unknown averaging.
+    kappa_i = M_(alpha_i+1) epsilon_i (Lancaster 2020, below (8)). Beside a spring c x^3, or for a pendulum, it is exact
+    in the spring for any amplitude inside the well. ``series`` and ``at_order`` have the higher orders of one law.
 
+    Parameters
+    ----------
+    law
+        a mapping exponent -> strength (epsilon, where m = k = x0 = 1), a ``Law``, or an ``Oscillator`` (b, in SI)
+    averaging
+        "mean" (Lancaster 2020), or "squaring", with 2^(-(alpha+1)/2) in the place of M_(alpha+1) (Lelas 2024)
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    Envelope or SpringEnvelope
+        ``amplitude`` and ``phase`` at a time, ``time`` of an amplitude, ``sample`` for arrays, ``formula`` where one is
+        known
+
+    Raises
+    ------
+    InputError
+        for anti-damping, other springs, losses that depend on the place (but beside x^3), and an unknown averaging
+
+    Examples
+    --------
     >>> envelope(Oscillator({2: "1/20"}, spring="pendulum", x0=3)).period(3, digits=12)
     '16.1555393724'
     """

@@ -60,7 +60,7 @@ class SlowPart(Shown):
         return f"{head} for {name} from {ends}; heuristic, doubles"
 
     def _end(self, x: float) -> str:
-        return self.frame.told(self._name, _text(x, _SHOWN)) if x < inf else _text(x, _SHOWN)
+        return self.frame.with_unit(self._name, _text(x, _SHOWN)) if x < inf else _text(x, _SHOWN)
 
     @property
     def _name(self) -> str:

@@ -7,6 +7,7 @@ A and phi explicit in the slow time (``envelopes.slow_time``), x_k the waveforms
 X(psi + pi) = -X(psi).  Start at rest: x(0) = 1.  At fixed slow time epsilon tau the error is O(epsilon^N);
 ``proved`` tells what is proved of it for all times, ``bound`` for one.
 
+>>> from asymptotics.curves.solve import solution
 >>> air = solution({2: "1/10"}, order=3)
 >>> print(air)
 x'' + x + epsilon x'|x'| = 0, x(0) = 1, x'(0) = 0: through order 3, turning-point gauge
@@ -31,7 +32,6 @@ proved  |x - x_3| <= 0.000043 for every tau >= 0 (x_0 = 1, before rounding)
 [1.0, 0.6004602446]
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -44,7 +44,6 @@ from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.reach import Theorem
 from asymptotics.curves.definitions import definitions_of
 from asymptotics.curves.evaluated import chi, delta, digits_of_turns, functions, numbers, strength_of, tau
-from asymptotics.curves.implicit import ImplicitSolution, implicit_solution
 from asymptotics.curves.motions import times_of
 from asymptotics.curves.proved_curve import ProvedCurve
 from asymptotics.curves.shown_solution import (
@@ -56,7 +55,7 @@ from asymptotics.curves.shown_solution import (
     text_of_x,
     x_by_name,
 )
-from asymptotics.curves.slow_formulas import closed_wave, slow_formulas
+from asymptotics.curves.slow_formulas import slow_formulas
 from asymptotics.curves.started import DIGITS, start_in_motion
 from asymptotics.curves.waves import Waveforms, waveforms
 from asymptotics.envelopes.slow_time import (
@@ -65,15 +64,13 @@ from asymptotics.envelopes.slow_time import (
     leading_amplitude,
 )
 from asymptotics.errors import InputError, require_choice, require_flag
-from asymptotics.expansions.half_swings.symbolic import alpha as symbolic_alpha
-from asymptotics.expansions.multiple_scales.hierarchy import multiple_scales
 from asymptotics.expansions.multiple_scales.orders import a, psi
 from asymptotics.expansions.multiple_scales.symbolic import MultipleScales
 from asymptotics.expansions.multiple_scales.turning import TurningHierarchy
-from asymptotics.frames import BARE, Frame, frame_of
+from asymptotics.frames import Frame
 from asymptotics.gauges import TURNING_POINT
-from asymptotics.law import Law, LawLike, Oscillator, of_unit_start
-from asymptotics.law_given import one_exponent, oscillator_of, require_oscillator
+from asymptotics.law import Oscillator, of_unit_start
+from asymptotics.law_given import require_oscillator
 from asymptotics.motions.certify import time_of
 from asymptotics.numbers.bridge import expression, to_sympy
 from asymptotics.numbers.context import cached_property, ctx
@@ -146,13 +143,13 @@ class Solution(ProvedCurve):
         # D, not tau, is the variable of the series: A_0 and D hold all of the dependence on time.
         A_0, slow = self.leading
         found = A_0 * self.relative.subs(D, slow)
-        return self._put(found if self.start is None else a_0 * self.begun(found))
+        return self._put(found if self.start is None else a_0 * self.with_start_strength(found))
 
     @cached_property
     def phase(self) -> Expr:
         """phi in the same letters, 0 at a start at rest."""
         found = self.slow_phase.subs(D, self.leading[1])
-        return self._put(found if self.start is None else phi_0 + self.begun(found))
+        return self._put(found if self.start is None else phi_0 + self.with_start_strength(found))
 
     @property
     def letters(self) -> dict[Expr, Expr]:
@@ -161,7 +158,7 @@ class Solution(ProvedCurve):
             return {}
         return {a_0: self.start[0], phi_0: self.start[1], epsilon_0: epsilon * a_0 ** (self.alpha - 1)}
 
-    def begun(self, found: Expr) -> Expr:
+    def with_start_strength(self, found: Expr) -> Expr:
         """The same with epsilon_0, the local strength at the start, in the place of epsilon."""
         return found if self.start is None else found.subs(epsilon, epsilon_0)
 
@@ -184,6 +181,7 @@ class Solution(ProvedCurve):
     def x(self) -> Expr:
         """x in the letters of ``amplitude``, for all tau; an open integral stands as x_n(psi), see ``definitions``.
 
+        >>> from asymptotics.curves.solve import solution
         >>> solution({2: "1/10"}, order=1).x, solution({2: "1/10"}, order=1, symbolic=True).x
         (cos(tau)/(2*tau/(15*pi) + 1), cos(tau)/(4*epsilon*tau/(3*pi) + 1))
         """
@@ -208,7 +206,7 @@ class Solution(ProvedCurve):
             return sympy.oo
         # Below 1 delta = epsilon D grows as A falls: epsilon D = 1 solved for tau.  It is no bound, the letter of the
         # series becomes 1 there.
-        end = self._put(self.begun((1 - epsilon) / ((1 - self.alpha) * self.p_1 * epsilon)))
+        end = self._put(self.with_start_strength((1 - epsilon) / ((1 - self.alpha) * self.p_1 * epsilon)))
         return end if self.alpha.is_number else Piecewise((end, self.alpha < 1), (sympy.oo, True))
 
     @public
@@ -364,37 +362,3 @@ class Solution(ProvedCurve):
 
     def __repr__(self) -> str:
         return f"Solution(alpha = {self.alpha}, order {self.order})"
-
-
-@public
-def solution(
-    law: LawLike, *, order: int = 3, symbolic: bool = False, max_seconds: Number = 60
-) -> Solution | ImplicitSolution:
-    """The multiple-scale solution through ``order``: explicit for one law, implicit for sums and springs.
-
-    ``law``: {alpha: epsilon}, a law or an oscillator (SI); an exponent alone, or "symbolic", leaves the strength a
-    symbol, as ``symbolic`` does where one is given.  InputError for an order out of range, anti-damping, and a sum
-    without losses.
-
-    >>> moving = solution(Oscillator({2: "1/10"}, x0="3/5", v0="-4/5"), order=3)
-    >>> moving.at(0, digits=6).x, moving.at(7, digits=6).x
-    ('0.599973', '-0.0420555')
-    """
-    N = exact_integer(order, "order", 1, MAX_ORDER)
-    require_flag(symbolic, "symbolic")
-    frame = frame_of(law) if isinstance(law, Oscillator) else BARE
-    if isinstance(law, Law | Oscillator | Mapping):
-        oscillator = oscillator_of(law)
-        oscillator.law.require_dissipative("solution that decays")
-        # One power of the velocity alone makes A explicit: with delta as the one variable tau(delta) can be reversed.
-        if len(oscillator.law.terms) > 1 or not oscillator.law.is_pure:
-            return replace(implicit_solution(oscillator, N, frame), symbolic=symbolic)
-    exponent, given = one_exponent(law)
-    scales = multiple_scales("symbolic" if exponent is None else exponent, order=N, gauge=TURNING_POINT)
-    alpha = symbolic_alpha if exponent is None else to_sympy(exponent)
-    p_1 = -scales.rates[1][0].subs(a, 1)
-    relative, phase = slow_formulas(scales, alpha, N, DIGITS)
-    # Rates of order N act over times 1/epsilon and count like epsilon^(N-1), as the last waveform that is kept does.
-    waves = tuple(closed_wave(scales, n) for n in range(1, N))
-    start = None if given is None or given.v0.is_zero else start_in_motion(given, scales)
-    return Solution(alpha, N, p_1, relative, phase, waves, scales, given, scales.notes, start, symbolic, frame=frame)

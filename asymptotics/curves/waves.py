@@ -66,7 +66,7 @@ class Waveforms(Shown):
 
     @public
     def at(self, psi: Number, *, digits: int = 30, max_seconds: Number = 60) -> dict[Label, str]:
-        """x_k at one phase (rad), correctly rounded and proved to be; "0" where it is 0."""
+        """x_k at one phase ``psi`` (rad), to ``digits``, correctly rounded and proved to be; "0" where it is 0."""
         require_one(psi, "psi", "sample(psi)")
         phase, D = exact_number(psi, "psi"), exact_integer(digits, "digits", 1, MAX_DIGITS)
         return {
@@ -76,7 +76,7 @@ class Waveforms(Shown):
 
     @public
     def balls(self, psi: ArrayLike, *, digits: int = 30, max_seconds: Number = 60) -> dict[Label, list[arb]]:
-        """x_k at a sequence of exact phases as balls of FLINT, absolute radius about 10^-``digits``."""
+        """x_k at a sequence of exact phases ``psi`` (rad) as balls of FLINT, absolute radius about 10^-``digits``."""
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
         if isinstance(psi, str) or not isinstance(psi, Sequence | np.ndarray):
             raise InputError("psi", f"{type(psi).__name__} is no sequence of phases", "a list of exact numbers")
@@ -87,7 +87,7 @@ class Waveforms(Shown):
 
     @public
     def sample(self, psi: ArrayLike, *, max_seconds: Number = 60) -> dict[Label, Any]:
-        """x_k at an array of phases in doubles, to about 1e-13: an array of the same shape for each k."""
+        """x_k at an array of phases ``psi`` (rad) in doubles, to about 1e-13: an array of the same shape for each k."""
         phases = real_array(psi, "psi")
         if not np.all(np.isfinite(phases)):
             raise InputError("psi", "a phase is not finite", "phases in rad")
@@ -100,7 +100,7 @@ class Waveforms(Shown):
 
     @public
     def integral(self, n: int, *, max_seconds: Number = 60) -> Eq:
-        """X_n as the hierarchy has it: a polynomial, a closed form by 2F1, or the integral of the lower orders."""
+        """X_n of order ``n`` as the hierarchy has it: a polynomial, a form by 2F1, or the integral of lower orders."""
         found = self.scales.orders[exact_integer(n, "n", 1, self.order)].solution
         assert found is not None
         return found
@@ -121,7 +121,7 @@ class Waveforms(Shown):
         return wave_table(self.terms, self.order)
 
     def enclosed(self, psi: arb) -> dict[Key, arb]:
-        """x_k at the current precision: polynomials where the forces of a key are such, else by the orbits."""
+        """x_k at the phase ``psi`` (rad, a ball): polynomials where the forces of a key are such, else by orbits."""
         # x_k(0) = 0 by the gauge: a turning point has the amplitude a.  The orbit of ``waves_at`` begins there and
         # would divide by psi.
         if psi.is_zero():
@@ -151,10 +151,34 @@ class Waveforms(Shown):
 
 @public
 def waveforms(law: LawLike, *, order: int = 4, spring: SpringLike | None = None, max_seconds: Number = 60) -> Waveforms:
-    """The waveforms x_k(psi) of the turning-point gauge through ``order`` <= 12, as certified numbers and as arrays.
+    """The waveforms x_k(psi) of the turning-point gauge, x = A cos psi + A sum_k delta^k x_k(psi), certified or arrays.
 
-    ``law``, ``spring``: as for ``multiple_scales``, with exponents that are numbers.  InputError for others, for an
-    order out of range, and for forces that are no functions to this order (|x|^M with odd M at x = 0).
+    Parameters
+    ----------
+    law
+        an exponent, a list of exponents, a law or an oscillator: its exponents, which are numbers
+    order
+        the last k, 1 to 12
+    spring
+        springs beside the linear one, {P: c} or {(P, Q): c} for c x|x|^(P-1) |x'|^Q, or "pendulum"
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    Waveforms
+        ``at`` a phase (certified digits), ``balls``, ``sample`` for arrays of phases, ``integral`` as the hierarchy has
+        it
+
+    Raises
+    ------
+    InputError
+        for a symbolic exponent, an order out of range, and |x|^M of odd M where it is no function to this order
+
+    Examples
+    --------
+    >>> waveforms(2, order=1).at("1/2", digits=12)
+    {1: '0.191224146646'}
     """
     N = exact_integer(order, "order", 1, MAX_OPEN_ORDER)
     terms, _, _, notes = terms_of(law, spring)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from asymptotics.driven import first_order
 from asymptotics.driven.drive import Drive
-from asymptotics.numbers.context import ctx
+from asymptotics.numbers.context import ctx, lru_cache
 
 HARMONICS = (1, 3, 5, 7, 9)
 NAME = "estimate: balance of the harmonics 1 to 9"
@@ -80,6 +80,13 @@ def _speed(waves: Array, theta: Array) -> Array:
     return found
 
 
+@lru_cache(maxsize=1)
+def _gauss() -> tuple[Array, Array]:
+    """The nodes and weights: an eigenvalue problem, solved once."""
+    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    return nodes, weights
+
+
 def _loss(waves: Array, losses: tuple[tuple[float, float], ...]) -> Array:
     """The harmonics (2/pi) int sum c v|v|^(alpha-1) (cos, sin)(n theta) over half a period that begins at rest."""
     zero = np.arctan2(waves[0, 1], waves[0, 0])  # where the first harmonic is largest; the speed itself is 0 nearby
@@ -87,7 +94,7 @@ def _loss(waves: Array, losses: tuple[tuple[float, float], ...]) -> Array:
         there = np.array([zero])
         rate = -(np.cos(_N * zero) @ (_N**2 * waves[:, 0]) + np.sin(_N * zero) @ (_N**2 * waves[:, 1]))
         zero = zero - float(_speed(waves, there)[0]) / rate
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    nodes, weights = _gauss()
     s = pi * (nodes + 1) / 2
     theta, weights = zero + pi * (1 - np.cos(s)) / 2, weights * pi / 2 * pi / 2 * np.sin(s)
     v = _speed(waves, theta)

@@ -195,10 +195,11 @@ def _cut(
 ) -> Arc:  # fmt: skip
     """The length for which the defect is near 2^tolerance, and the defect."""
     parts = [(upper(c / ws[0]), e) for c, e in zip(ws[1:], g.exponents[1:])]
-    # A radius on which no term exceeds 1, in doubles; the largest share of it with G(R) < 1/2.
-    logs = [-size_of(c) / float(e.mid()) for c, e in parts if c != 0]
-    widest = min(logs, default=2.0)
-    R = next((r for s in _SHARES if _sum_of(parts, r := dyadic(min(widest, 2.0) + log2(s))) < 0.5), None)
+    # A radius on which no term exceeds 1, in doubles; the largest share of it with G(R) < 1/2, by doubles first.
+    logs = [(size_of(c), float(e.mid())) for c, e in parts if c != 0]
+    widest = min([2.0, *(-size / e for size, e in logs)])
+    shares = [s for s in (widest + log2(s) for s in _SHARES) if sum(2.0 ** (size + e * s) for size, e in logs) < 0.5]
+    R = next((r for s in shares if _sum_of(parts, r := dyadic(s)) < 0.5), None)
     if R is None:
         raise UndecidedError("the coefficients of a piece of the trial orbit are too wide")
     inside = _sum_of(parts, R)

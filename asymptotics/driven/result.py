@@ -1,13 +1,14 @@
 """The driven response as correctly rounded decimals: first order in closed form, and the orbit itself, certified.
 
->>> from asymptotics.law import Oscillator
+>>> from asymptotics.frames import BARE, Frame
+from asymptotics.law import Oscillator
 >>> found = respond(Drive.read(Oscillator({2: "1/10"}), "1/5", 1), 8)
 >>> found.amplitude, found.x0, found.v0, found.phase, found.first_order.amplitude
 ('1.5355181', '-0.0043810046', '1.5341700', '1.5767567', '1.5349901')
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from flint import acb, arb
@@ -19,6 +20,7 @@ from asymptotics.driven.orbit import MAX_BITS as ORBIT_BITS
 from asymptotics.driven.orbit import bits_lost, free_harmonic, orbit
 from asymptotics.driven.shown import ResponsePage
 from asymptotics.errors import LimitError, UndecidedError
+from asymptotics.frames import BARE, Frame
 from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of
 from asymptotics.numbers.exact import ExactReal
@@ -35,7 +37,7 @@ class Response(ResponsePage):
     ``harmonics``: n -> amplitude and phase of A_n cos(n theta - phase_n); ``difference``: amplitude and phase less
     those of first order, the digits that are proved, three at most, beside the estimate ``first_order.error``.
 
-    Not ``certified``: these are None, and ``notes`` say why; the first order is there.
+    ``frame``: the units of the numbers.  Not ``certified``: these are None, ``notes`` say why, first order is there.
     """
 
     oscillator: Oscillator
@@ -53,6 +55,7 @@ class Response(ResponsePage):
     certified: bool = False
     method: str = "first order alone"
     notes: tuple[str, ...] = ()
+    frame: Frame = field(default=BARE, compare=False)
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: the contract of ``asymptotics response --json``."""
@@ -62,6 +65,7 @@ class Response(ResponsePage):
             "law": str(law), "force": str(self.force), "omega": str(self.omega),
             **{name: getattr(self, name) for name in names}, "first_order": self.first_order.to_dict(),
             "digits": self.digits, "certified": self.certified, "method": self.method, "notes": list(self.notes),
+            "units": self.frame.units,
         }  # fmt: skip
 
 

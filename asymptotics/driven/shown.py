@@ -1,6 +1,6 @@
 """How a driven response shows itself: text, table, LaTeX, and amplitude against frequency with the orbit's own."""
 
-from math import pi
+from math import nan, pi
 from typing import Any
 
 from flint import arb
@@ -9,18 +9,19 @@ from asymptotics.driven import first_order
 from asymptotics.driven.drive import Drive
 from asymptotics.driven.first_numbers import FirstOrder
 from asymptotics.expansions.moments.certified import moment
+from asymptotics.frames import Frame
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.latex import latex
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.inputs import csv_text
-from asymptotics.present.shown import Page
+from asymptotics.present.shown import Page, Rows
 
 _CURVE, _LOW = 120, 53  # points of a curve, and their bits
 
 
-class ResponsePage(Drawn):
+class ResponsePage(Drawn, Rows):
     """What is shown of a ``result.Response``."""
 
     oscillator: Oscillator
@@ -37,6 +38,7 @@ class ResponsePage(Drawn):
     certified: bool
     method: str
     notes: tuple[str, ...]
+    frame: Frame
 
     def rows(self) -> list[tuple[str, str, str]]:
         """(quantity, of the response, of first order), as far as there are."""
@@ -52,7 +54,23 @@ class ResponsePage(Drawn):
         resonance = first.resonance or {}
         rows += [(f"{name} at omega_0", None, value) for name, value in resonance.items()]
         rows += [(f"{name} of the peak", None, value) for name, value in (first.peak or {}).items()]
-        return [(name, own or "", of_first or "") for name, own, of_first in rows if own or of_first]
+        return [(self._named(name), own or "", of_first or "") for name, own, of_first in rows if own or of_first]
+
+    def _named(self, quantity: str) -> str:
+        """A quantity with its unit; none of a law alone."""
+        frame, kind = self.frame, quantity.split()[0]
+        units = {"v0": frame.unit("v"), "phase": "rad", "energy": "J", "c_eq": frame.unit_of_loss("1"),
+                 "omega": "rad/s", "Q_decay": "", "Q_width": ""}  # fmt: skip
+        unit = units.get(kind, frame.x) if frame else ""
+        return f"{quantity} [{unit}]" if unit else quantity
+
+    def _table(self) -> dict[str, list[Any]]:
+        quantities, own, of_first = ([*column] for column in zip(*self.rows()))
+        numbers = {
+            name: [float(text.split()[0]) if text else nan for text in texts]
+            for name, texts in (("response", own), ("first order", of_first))
+        }
+        return {"quantity": quantities, **numbers, "response (digits)": own, "first order (digits)": of_first}
 
     def to_csv(self) -> str:
         """CSV text."""
@@ -108,7 +126,7 @@ class ResponsePage(Drawn):
         if self.amplitude is not None:
             own = float(self.omega.ball().mid()), float(self.amplitude)
             axes.plot(*([value] for value in own), "o", markersize=4, label="the response, certified")
-        axes.set(xlabel="Omega", ylabel="amplitude")
+        axes.set(xlabel="Omega (rad/s)" if self.frame else "Omega", ylabel=self.frame.axis("amplitude"))
         right = _right_of(axes)
         right.plot(places, [lag for _, lag in states], ":", color="gray", linewidth=1)
         right.set(ylabel="phase (dotted)", ylim=(0, pi))

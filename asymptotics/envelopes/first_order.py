@@ -18,6 +18,7 @@ averaged law is from the motion is a matter of ``validity`` and of higher orders
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from typing import cast
 
 import numpy as np
@@ -54,6 +55,23 @@ def exact_kappa(term: Term) -> ExactReal | None:
     return None if over_pi else e * found
 
 
+def exact_squaring(term: Term) -> ExactReal | None:
+    """epsilon 2^(-(alpha+1)/2), the rate of the squaring trick, as an exact number; None where it is none.
+
+    >>> from asymptotics.law import Law
+    >>> exact_squaring(Law({3: "1/2"}).terms[0]), exact_squaring(Law({2: "1/2"}).terms[0])
+    (ExactReal('1/8'), ExactReal('1/4*sqrt(1/2)'))
+    """
+    a, e = term.velocity, term.strength
+    if not (a.is_integer and a < _MOST_EXACT and isinstance(e, ExactReal)):
+        return None
+    halves, odd = divmod(int(a.rational) + 1, 2)
+    try:
+        return e * ExactReal(Fraction(1, 2**halves), Fraction(1, 1 + odd))
+    except InputError:  # two roots: no decimal, and so no tie
+        return None
+
+
 @dataclass(frozen=True)
 class FirstOrderEnvelope:
     """dA/dtau = -sum_i kappa_i A^alpha_i for an oscillator; ``averaging`` "mean" (Lancaster) or "squaring".
@@ -70,13 +88,25 @@ class FirstOrderEnvelope:
 
     def laws(self) -> list[tuple[ExactReal, arb]]:
         """(alpha_i, kappa_i) with balls at the current precision; laws of zero strength are left out."""
-        alphas = self.oscillator.law.alphas
-        if self.averaging == SQUARING:
-            kappas = tuple(arb(2) ** (-(a.ball() + 1) / 2) * e for a, e in zip(alphas, self.oscillator.epsilons()))
-        else:
-            kappas = self.oscillator.kappas()
         # A strength is exactly 0, or its ball does not hold 0 (``ExactReal.ball``): none that acts is dropped.
-        return [(a, k) for a, k in zip(alphas, kappas) if k > 0]
+        return [(a, k) for a, k in zip(self.oscillator.law.alphas, self.rates()) if k > 0]
+
+    def rates(self) -> tuple[arb, ...]:
+        """kappa_i of every law, also of zero strength: M_(alpha_i+1) epsilon_i, or 2^(-(alpha_i+1)/2) epsilon_i."""
+        if self.averaging == MEAN:
+            return self.oscillator.kappas()
+        alphas = self.oscillator.law.alphas
+        return tuple(arb(2) ** (-(a.ball() + 1) / 2) * e for a, e in zip(alphas, self.oscillator.epsilons()))
+
+    def kappas(self, digits: int) -> tuple[str, ...]:
+        """The same as decimals, correctly rounded."""
+        # A rational rate may be a tie between two decimals, which no ball tells from its neighbours; others are balls.
+        exact = exact_kappa if self.averaging == MEAN else exact_squaring
+        found = [exact(term) for term in self.oscillator.dimensionless.terms]
+        return tuple(certified_decimal(partial(self._rate, i, known), digits) for i, known in enumerate(found))
+
+    def _rate(self, i: int, known: ExactReal | None) -> arb | ExactReal:
+        return self.rates()[i] if known is None else known
 
     def amplitude(self, t: Number, digits: int) -> str:
         """A(t) in m at an exact time t >= 0 in s, correctly rounded; "0" from the extinction time on."""

@@ -89,8 +89,10 @@ class EquivalentDamping(Rows, Drawn):
 
     @public
     def sample(self, A: ArrayLike, *, max_seconds: Number = 60) -> dict[str, Any]:
-        """zeta, Q, decrement, energy_loss, c_eq of first order, period and omega without loss: doubles, at an array of
-        amplitudes > 0 in ``unit``."""
+        """zeta, Q, decrement, energy_loss, c_eq of first order, period and omega without loss, in doubles.
+
+        ``A``: amplitudes > 0 in ``unit``, a number or an array, whose shape all of them have.
+        """
         oscillator = self._numbers()
         amplitudes = real_array(A, "A")
         rows = [_doubles(oscillator, a * self.size) for a in np.ravel(amplitudes)]
@@ -166,7 +168,7 @@ class EquivalentDamping(Rows, Drawn):
         told = ", ".join(f"{(m.motion or m.first).Q or m.first.Q} at {m.amplitude}" for m in self.rows[:4])
         title = f"Q = {told}" if told else f"Q = {self.formulas['Q']}"
         law = "x'|x'|^(alpha-1)" if self.oscillator is None else str(self.oscillator.law)
-        worth = "; ".join(dict.fromkeys(m.worth for row in self.rows for m in row.parts.values()))
+        worth = "; ".join(dict.fromkeys(m.guarantee for row in self.rows for m in row.parts.values()))
         lines = (f"equivalent damping of {law}", worth or "formulas of first order, exact", *self.notes)
         return Page(title, lines, tuple(self.header()) if self.rows else (), tuple(map(tuple, self.table())))
 

@@ -76,7 +76,7 @@ class Measure(Shown):
         return found | ({"reason": self.reason} if self.reason else {})
 
     @property
-    def worth(self) -> str:
+    def guarantee(self) -> str:
         """What the numbers are worth, in words."""
         kind = "certified" if self.certified else "not certified"
         return f"{kind}: {self.route}" + (", each with its bound" if self.bounds else "") if self.route else kind
@@ -85,7 +85,7 @@ class Measure(Shown):
         told = [(name, value) for name in QUANTITIES if (value := getattr(self, name)) is not None]
         rows = tuple((name, f"{value} +- {self.bounds[name]}" if self.bounds else value) for name, value in told)
         title = ", ".join(f"{name} = {value}" for name, value in rows[:3]) or self.reason
-        return Page(title, (self.worth, *([self.reason] if told and self.reason else [])), ("", "value"), rows)
+        return Page(title, (self.guarantee, *([self.reason] if told and self.reason else [])), ("", "value"), rows)
 
 
 @dataclass(frozen=True, repr=False)
@@ -105,7 +105,7 @@ class DampingRow(Shown):
 
     def _page(self) -> Page:
         rows = tuple((part, name, value) for part, m in self.parts.items() for name, value in m._page().rows)
-        lines = tuple(dict.fromkeys(m.worth for m in self.parts.values()))
+        lines = tuple(dict.fromkeys(m.guarantee for m in self.parts.values()))
         return Page(f"A = {self.amplitude}: {self.first._page().title}", lines, ("part", "", "value"), rows)
 
 

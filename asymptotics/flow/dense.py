@@ -17,6 +17,8 @@ time is read as its lower end and a width.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import islice, takewhile
 from typing import NoReturn
 
 from flint import arb
@@ -34,6 +36,15 @@ from asymptotics.running.cut_short import keeping
 State = tuple[arb, arb]
 # Distances are bounds of a few digits: the radius of a ball has 30 bits, and so few cost nothing.
 _LOW = 40
+
+
+@dataclass(frozen=True)
+class KnownPiece(Piece):
+    """A piece of a half-swing that is known as a whole: many times cost less than one after the other."""
+
+    def all_at(self, times: Sequence[arb]) -> list[State]:
+        """(u, w) of the truth at ascending times (balls) in the piece."""
+        raise NotImplementedError
 
 
 def states(flow: CertifiedFlow, X: arb, V: arb, times: Sequence[arb]) -> list[State]:
@@ -69,7 +80,8 @@ class _Wanted:
         self.flow = flow
         # The lower end of a time and its width are exact, so that every comparison of times below is decided.  A late
         # time has more bits than the working precision, which would round it into another half-swing.
-        self.queue = [(exact_sum(t.mid(), -t.rad()), upper(2 * t.rad())) for t in times]
+        with ctx.workprec(max((t.bits() for t in times), default=ctx.prec) + ctx.prec):
+            self.queue = [(low := t.lower(), (t - low).upper()) for t in times]
         self.found: list[State] = []
 
     @property
@@ -82,12 +94,16 @@ class _Wanted:
 
     def take(self, piece: Piece, side: int, start: arb) -> None:
         """All times up to the end of a piece of the half-swing that begins at ``start``."""
-        last = exact_sum(start, piece.end)
-        while not self.done and self.following <= last:
-            # A trap is no reason to stop, as the motion goes on in it; beyond its well it has no certified course here.
-            if piece.ended in (ESCAPES, ROTATES):
-                _refuse(piece.ended)
-            low, width = self.queue[len(self.found)]
+        last, before = exact_sum(start, piece.end), len(self.found)
+        due = list(takewhile(lambda window: window[0] <= last, islice(self.queue, before, None)))
+        # A trap is no reason to stop, as the motion goes on in it; beyond its well it has no certified course here.
+        if due and piece.ended in (ESCAPES, ROTATES):
+            _refuse(piece.ended)
+        if isinstance(piece, KnownPiece):
+            known = piece.all_at([low - start + arb(width / 2, width / 2) for low, width in due])
+            self.found += [(side * u, -side * w) for u, w in known]
+            return
+        for low, width in due:
             # The distance bounds both unit |u - u~| and |w - w~|, so the place has an error of 1/unit of it.  A time
             # may lie before the start by the rounding of ``start``: an expansion bounds the rates on both sides of its
             # turning point.
@@ -130,12 +146,18 @@ def _swing(flow: CertifiedFlow, here: TurningState, wanted: _Wanted) -> TurningS
     leap = flow.leap(here, wanted.following)
     if leap is not None:
         return leap
+    there = None
     for piece in half_swing_pieces(flow, here.amplitude, arb(0), _distance(flow, here)):
         wanted.take(piece, here.side, here.time)
         if wanted.done:
             return here
+        # Where most of the half-swing is known, so is its end.
+        if isinstance(piece, KnownPiece):
+            there = flow.leap(here)
+        if there is not None and there.time < wanted.following:
+            return there
         if isinstance(piece, ArrivedPiece):
-            return after_arrival(here, piece)
+            return after_arrival(here, piece) if there is None else there
     raise UndecidedError("the half-swing has no end")
 
 

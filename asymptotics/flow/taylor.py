@@ -32,13 +32,13 @@ from dataclasses import dataclass, replace
 from math import inf
 from operator import mul
 
-from flint import arb, arb_poly
+from flint import arb, arb_poly, arb_series
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import dyadic, size_of, upper
 from asymptotics.flow.composition import ComposedSeries, ExponentLine
 from asymptotics.flow.force import Smooth
-from asymptotics.flow.growing_product import GrowingProduct, block_for
+from asymptotics.flow.growing_product import FEW, GrowingProduct, block_for
 from asymptotics.numbers.context import cached_property, ctx
 
 GUARD = 32  # bits more for the coefficients, whose recurrence cancels; the force should carry them
@@ -130,7 +130,9 @@ def order_for(bits: int) -> int:
 def coefficients(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
     """Taylor coefficients of u and w about a state with w > 0, through t^order; at u = 0 on the side u < 0."""
     # Two recurrences: products of whole powers go through w = 0, the logarithmic derivative divides by w_0.
-    return (_of_whole_powers if force.entire else _of_real_powers)(force, u, w, order)
+    if force.entire:
+        return _of_whole_powers(force, u, w, order)
+    return (_by_halves if force.linear and order < FEW else _of_real_powers)(force, u, w, order)
 
 
 def _of_whole_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
@@ -158,8 +160,33 @@ def _whole(exponent: arb) -> int:
     return int(found)
 
 
-def _of_real_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
-    """w^alpha by its logarithmic derivative."""
+def _by_halves(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb], list[arb]]:
+    """The second half of few coefficients from the first, where F depends on w alone: one step of Newton's method.
+
+    With W_0 of degree n the coefficients of F(W) = F(W_0) + F'(W_0) (W - W_0) + ... are those of the first two terms
+    through t^(2n+1), as (W - W_0)^2 begins with t^(2n+2).
+    """
+    half = (order + 1) // 2
+    us, ws = _of_real_powers(force, u, w, half, order)
+    with ctx.workcap(order):
+        W = arb_series(ws, order)
+        ln_w, F, slopes = W.log(), arb_series([]), arb_series([])
+        for d, _, a in force.loss_powers(1 if u > 0 else -1):
+            power = d * (a * ln_w).exp()
+            F, slopes = F + power, slopes + a * power
+        slopes /= W
+        rates, known = [slopes[k] for k in range(order - half)], [F[k] for k in range(order)]
+    rest: list[arb] = []  # of W - W_0, from t^(half+1) on
+    for k in range(half, order):
+        slope = sum(map(mul, rest, reversed(rates[: len(rest)])), us[k] + known[k])
+        us.append(-ws[k] / (k + 1))
+        ws.append(slope / (k + 1))
+        rest.append(ws[-1])
+    return us, ws
+
+
+def _of_real_powers(force: Smooth, u: arb, w: arb, order: int, whole: int | None = None) -> tuple[list[arb], list[arb]]:
+    """w^alpha by its logarithmic derivative; ``whole``: the order in the end, where these are but the first."""
     side, none, full = 1 if u > 0 else -1, arb(0), ctx.prec
     springs, losses, ln_w, inverse = force.restoring_powers(side), force.loss_powers(side), w.log(), 1 / w
     curve = ComposedSeries(ExponentLine(()), force.rate, {n for _, n in springs} | {m for _, m, _ in losses if m}, u)
@@ -172,7 +199,7 @@ def _of_real_powers(force: Smooth, u: arb, w: arb, order: int) -> tuple[list[arb
     growing = [(a, p, GrowingProduct(ratio, p, order)) for (_, _, a), p in zip(losses, powers)]
     block = block_for(order)
     for start in range(0, order, block):
-        with ctx.workprec(_bits_for(start, order, full)):
+        with ctx.workprec(_bits_for(start, whole or order, full)):
             for k in range(start, min(start + block, order)):
                 slope = curve.restoring(springs)
                 for p in alone:

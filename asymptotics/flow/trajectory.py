@@ -134,7 +134,7 @@ class CertifiedFlow:
         return None
 
     def read_off(self, _u: arb, _first: "DeparturePiece", _given: arb) -> "Piece | None":
-        """The next piece after the departure from rest at u, if it is known without steps; it may begin earlier."""
+        """The piece after departing from rest at u, if known without steps; may begin earlier.  Its flow goes on."""
         return None
 
     def exact(self, _n: int) -> tuple[Fraction, bool] | None:
@@ -273,6 +273,7 @@ def half_swing_pieces(
         known, reach = flow.read_off(u, first, error), first.expansion.reach
         yield from (first,) if known is None else (replace(first, end=known.begin), known)
         here = after(*((known, *known.own(known.end)) if known else (first, first.expansion.state(reach)[0], reach)))
+        flow = known.flow if known else flow
     ended: str | None = None
     for count in range(pieces):
         tick(f"piece {count} of {'a half-swing' if ended in (None, ESCAPES, ROTATES) else _BY_STEPS}")

@@ -53,7 +53,7 @@ def linear_motion(oscillator: Oscillator, t: Number, digits: int = 30) -> Motion
         return x, decay * (v0 * C - (gamma * v0 + stiffness * x0) * S)
 
     found = certified_point(evaluate, digits, METHOD)
-    return found.noted((regime(oscillator),)) if oscillator.law.terms[0].b > 0 else found
+    return found.with_notes((regime(oscillator),)) if oscillator.law.terms[0].b > 0 else found
 
 
 def _require_printable(oscillator: Oscillator, t: ExactReal) -> None:

@@ -40,7 +40,7 @@ class MotionPoint(Shown):
         """The state as a JSON-ready mapping: decimals are strings."""
         return {f.name: _plain(getattr(self, f.name)) for f in fields(self) if f.name != "frame"}
 
-    def noted(self, notes: tuple[str, ...]) -> "MotionPoint":
+    def with_notes(self, notes: tuple[str, ...]) -> "MotionPoint":
         """The same with more notes."""
         return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes))))
 
@@ -56,7 +56,9 @@ class MotionPoint(Shown):
         return number_of(self, name)
 
     def _page(self) -> Page:
-        told = {name: self.frame.told(name, getattr(self, name)) for name in _TOLD if getattr(self, name) is not None}
+        told = {
+            name: self.frame.with_unit(name, getattr(self, name)) for name in _TOLD if getattr(self, name) is not None
+        }
         order = "" if self.order is None else f", order {self.order}, gauge {self.gauge}"
         worth = f"{'certified' if self.certified else 'estimate'} ({self.method}{order})"
         title = f"x = {told['x']}, v = {told['v']}, error {told['error']}"

@@ -143,7 +143,10 @@ class ExactReal(Shown):
         if y.is_rational:
             # Most numbers that are compared are rational: no difference of them has to be made.
             a, b = self.coefficient, y.coefficient
-            return (a > b) - (a < b) if self.is_rational else (self - y).sign
+            if not self.is_rational:
+                return (self - y).sign
+            difference = a.numerator * b.denominator - b.numerator * a.denominator
+            return (difference > 0) - (difference < 0)
         rest = self - y.offset  # against the root of y: by signs, else by squares
         root = _sign(y.coefficient)
         # The signs are -1, 0, 1 and that of y's root is not 0: their difference has the sign of self - other.

@@ -81,12 +81,30 @@ SHORTFALLS = {
 def statements(
     paper: str | None = None, *, words: str | None = None, verdict: str | None = None
 ) -> tuple[PaperStatement, ...]:
-    """All statements, of one paper or of all three, in reading order; with ``words`` those that are found, best first.
+    """All statements of one paper or of all three, in reading order; with words those that are found, best first.
 
-    What is no paper is words: ``statements("Lambert")``.  ``verdict``: only those whose printed form has it;
-    partly-condition, partly-consequence and partly-range are the three ways of being partly true.  InputError for
-    an unknown paper or verdict, and for words that nothing has.
+    Parameters
+    ----------
+    paper
+        lancaster2020, lelas2024 or smith2012; what is no paper is words: ``statements("Lambert")``
+    words
+        words, or a number, that the statement has
+    verdict
+        only those whose printed form has it: holds, misprint, transcription, partly, refuted, open or definition;
+        partly-condition, partly-consequence and partly-range are the three ways of being partly true
 
+    Returns
+    -------
+    tuple
+        of ``PaperStatement``
+
+    Raises
+    ------
+    InputError
+        for an unknown paper or verdict, and for words that nothing has
+
+    Examples
+    --------
     >>> [found.id for found in statements("smith2012", words="Lambert", verdict="holds")][:2]
     ['smith2012:43', ...]
     >>> statements("Lambert")[0].id
@@ -114,7 +132,28 @@ def has_verdict(s: PaperStatement, verdict: str | None) -> bool:
 
 
 def paper(id: str) -> PaperStatement:  # noqa: A002 (the papers' own word)
-    """The statement with this id (``smith2012:43``); InputError that suggests the nearest ids."""
+    """One statement of the papers by its id, with the verdict of its check.
+
+    Parameters
+    ----------
+    id
+        such as "smith2012:43"
+
+    Returns
+    -------
+    PaperStatement
+        the equation, table entry, figure or claim; ``check`` runs its check again
+
+    Raises
+    ------
+    InputError
+        for an id that is none, with the nearest ids
+
+    Examples
+    --------
+    >>> paper("smith2012:43").printed
+    'holds'
+    """
     if not isinstance(id, str):
         raise InputError("id", "is not text", "an id such as smith2012:43")
     if id not in _all():

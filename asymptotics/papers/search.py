@@ -67,7 +67,7 @@ class Searched:
 
     id: str
     title: str
-    said: str
+    plain_words: str
     formula: str
     notes: str
 
@@ -90,7 +90,7 @@ class Searched:
             return 60
         lead = 6 if self.formula.startswith(word) else 0
         whole = rf"(?<![\w/]){re.escape(word)}(?![\w/])"
-        if re.search(whole, self.title) or word in self.said.split():
+        if re.search(whole, self.title) or word in self.plain_words.split():
             return 8 + lead
         if re.search(whole, self.formula):
             return 4 + lead

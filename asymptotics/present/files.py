@@ -95,7 +95,7 @@ def write_all(contents: Mapping[Path, str | bytes], argument: str = "FILE") -> N
             parts.append(_Part.written(name, data, argument))
         # A rename is the one step that cannot be half done (POSIX): all files are complete and synchronised by now.
         for part in parts:
-            part.put()
+            part.replace_target()
     except BaseException as error:
         for part in parts:
             part.undo()
@@ -155,7 +155,7 @@ class _Part:
             raise
         return part
 
-    def put(self) -> None:
+    def replace_target(self) -> None:
         """Rename, keeping what is replaced under a second name (a copy where there are no hard links)."""
         if self.existed:
             try:

@@ -3,7 +3,7 @@ r"""One page that is complete in itself: plain HTML with its pictures inside, no
 Formulas are MathML (by latex2mathml, of the extra report), lines of text have their mathematics in signs, and what is
 aligned in columns becomes a table.
 
->>> told(["n   x", "0   1", "certified: true"])
+>>> paragraphs(["n   x", "0   1", "certified: true"])
 '<table><tr><td>n</td><td>x</td></tr><tr><td>0</td><td>1</td></tr></table><p>certified: true</p>'
 >>> formulas(r"\zeta = \frac{1}{2} \\ Q = 1"), formulas(r"\[ a \] \[ b \]")
 (['\\zeta = \\frac{1}{2}', 'Q = 1'], ['a', 'b'])
@@ -44,7 +44,7 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]], caption: str = "")
     return f"<table>{f'<caption>{text(caption)}</caption>' if caption else ''}{top}{cells}</table>"
 
 
-def told(lines: Iterable[str]) -> str:
+def paragraphs(lines: Iterable[str]) -> str:
     """Lines of text: paragraphs, and a table of those that follow each other with as many cells (two blanks apart)."""
     cells = [re.split(r" {2,}", line.strip()) for line in lines if line.strip()]
     made = []

@@ -4,9 +4,10 @@ The half-swing from p to q is the quarter at z and that at z' = -z (q/p)^g, back
 the end the place is -q r cos(theta) and the speed q r sin(theta), r and theta at the time s of that quarter.
 
 At the time s any t of a quarter serves: the motion moves by at most |s - tau(t)| times its largest rates from where it
-is at t, |X'| <= p and |X''| <= p + N(p), as the energy falls.
+is at t, |X'| <= p and |X''| <= p + N(p), as the energy falls (derivation ``quarter-courses``).
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -18,14 +19,11 @@ from asymptotics.flow.balls import upper
 class TimedQuarter(Protocol):
     """A quarter-swing by a parameter t from -1, its hand-over, to 1, the centre."""
 
-    def near(self, s: arb, /) -> tuple[arb, arb]:
-        """An exact t and its time, nearly s, since the turning point."""
-
     def time(self, t: arb, /) -> arb:
-        """The time at an exact t."""
+        """The time since the turning point at an exact t."""
 
-    def state(self, t: arb, /) -> tuple[arb, arb]:
-        """(r cos theta, r sin theta) at an exact t, in units of the amplitude at the turning point."""
+    def near(self, times: Sequence[arb], /) -> list[tuple[arb, arb, arb]]:
+        """(r cos theta, r sin theta, the time) at nearly those times, in units of the amplitude at rest."""
 
 
 @dataclass(frozen=True)
@@ -51,17 +49,16 @@ class Course:
         first, last = before.time(arb(-1)).upper(), (duration - after.time(arb(-1))).lower()
         return cls(before, after, p, q, duration, before.time(arb(1)).mid(), first, last, upper(p + rest))
 
-    def state(self, t: arb) -> tuple[arb, arb]:
-        """(place, w) at an exact time from ``begin`` to ``end``."""
-        if t <= self.centre:
-            place, w, off = self._at(self.before, t, self.p)
-        else:
-            place, w, off = self._at(self.after, self.duration - t, self.q)
-            place = -place
-        return place + arb(0, off), w + arb(0, off)
+    def states(self, times: Sequence[arb]) -> list[tuple[arb, arb]]:
+        """(place, w) at ascending times (balls) from ``begin`` to ``end``."""
+        first = [t for t in times if t.mid() <= self.centre]
+        last = [self.duration - t for t in times[len(first) :]]
+        return self._near(self.before, first, self.p, self.p) + self._near(self.after, last, -self.q, self.q)
 
-    def _at(self, quarter: TimedQuarter, s: arb, unit: arb) -> tuple[arb, arb, arb]:
-        """(place, w) near the time s of a quarter, and how far the motion at that time is from there."""
-        t, time = quarter.near(s.mid())
-        place, w = quarter.state(t)
-        return unit * place, unit * w, upper((s - time) * self.fastest)
+    def _near(self, quarter: TimedQuarter, times: Sequence[arb], unit: arb, pace: arb) -> list[tuple[arb, arb]]:
+        """Where the quarter is near each time, and how far the motion at that time is from there."""
+        found = []
+        for s, (x, y, time) in zip(times, quarter.near([s.mid() for s in times]), strict=True):
+            off = arb(0, upper((s - time) * self.fastest))
+            found.append((unit * x + off, pace * y + off))
+        return found

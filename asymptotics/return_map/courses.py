@@ -10,6 +10,8 @@ with one h for all strengths, so that one t is one angle theta, tan(theta/2) = e
   ``chebyshev.cut``(G, R, m) + sqrt(2m - 1) ``apart``, that of tau_j(t) accordingly;
 * an uncertain z moves a sum of b_kl T_k(t) T_l by at most sum |b_kl| l^2 times it (Markov's inequality |T_l'| <= l^2).
 
+Derivation ``quarter-courses``.
+
 >>> from asymptotics.numbers.exact import ExactReal
 >>> with ctx.workprec(100):
 ...     quadratic = Coordinate.of([(arb(1), ExactReal(2))])
@@ -19,7 +21,7 @@ with one h for all strengths, so that one t is one angle theta, tan(theta/2) = e
 ('[-0.06610623692 +/- ...]', '[1.604523150 +/- ...]')
 """
 
-from bisect import bisect
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,6 +33,7 @@ from asymptotics.flow.balls import upper
 from asymptotics.numbers.context import cached_property, ctx, lru_cache
 from asymptotics.return_map.chebyshev import cut, nodes
 from asymptotics.return_map.coordinate import Coordinate
+from asymptotics.return_map.half_swings import HalfSwings, Quarters
 from asymptotics.return_map.hand_overs import Bundle, doubles
 from asymptotics.return_map.panel_plan import verified, widest
 from asymptotics.return_map.quarters import FEWEST, NodeGrid, Path, found
@@ -39,9 +42,11 @@ from asymptotics.return_map.spectral import analysis, of_the_integral
 
 _WORK = 24  # bits more than asked for: a choice
 _LOW = 53  # bits of the bounds
+_SPARE = 8  # bits of the way, of which the ellipse that is proved may be smaller than the one planned: a choice
+_FIRST, _LAST = arb(-1), arb(1)
 _SHARE = 0.93  # of the reach in doubles, as of ``half_swings``
 _MOST = 500  # nodes along the way
-_PLACES, _GIVEN_UP = 512, 40  # of the table in doubles; rounds of the secant, which ends by itself after three
+_PLACES, _GIVEN_UP = 1024, 40  # of the table in doubles; rounds of the secant, which ends by itself after two or three
 
 
 @dataclass(frozen=True)
@@ -87,7 +92,7 @@ class QuarterCourse:
     courses: "Courses"
     growth: tuple[arb_poly, arb]
     clock: tuple[arb_poly, arb]
-    table: tuple[list[float], list[float]]
+    table: list[Array]
 
     def ln_r(self, t: arb) -> arb:
         """At an exact t."""
@@ -103,49 +108,64 @@ class QuarterCourse:
             value = polynomial(t)
         return value + arb(0, error)
 
-    def near(self, s: arb) -> tuple[arb, arb]:
-        """An exact t on [-1, 1] and its time, nearly s: the t is a choice, by secants."""
-        polynomial, error = self.clock
-        guess, rate = self._guess(float(s))
-        with ctx.workprec(_precise(len(polynomial))):
-            t, slope, fine = arb(guess), arb(rate), arb(2) ** -self.courses.bits
-            time = polynomial(t)
-            for _ in range(_GIVEN_UP):
-                off = (time - s).mid()
-                there = min(max((t - off / slope).mid(), arb(-1)), arb(1))
-                if not abs(off) > fine or there == t:
-                    break
-                later = polynomial(there)
-                slope, t, time = ((later - time) / (there - t)).mid(), there, later
-        return t, time + arb(0, error)
+    def near(self, times: Sequence[arb]) -> list[tuple[arb, arb, arb]]:
+        """(r cos theta, r sin theta) in units of the amplitude at the turning point, and the time, nearly those."""
+        (growth, apart), (clock, late) = self.growth, self.clock
+        guesses, fine, found = self._guesses(np.array([float(s) for s in times])), arb(2) ** -ctx.prec, []
+        with ctx.workprec(_precise(max(len(growth), len(clock)))):
+            for s, guess, rate in zip(times, *(part.tolist() for part in guesses), strict=True):
+                t, time = _reached(clock, s, arb(guess), arb(rate), fine)
+                found.append((t, growth(t), time))
+        apart, late = arb(0, apart), arb(0, late)
+        return [(*self._state(t, ln_r + apart), time + late) for t, ln_r, time in found]
 
-    def _guess(self, s: float) -> tuple[float, float]:
-        """t and d tau/dt at the time s in doubles: a cubic between two places of a table, whose slopes it has."""
-        times, slopes = self.table
-        k = min(max(bisect(times, s) - 1, 0), len(times) - 2)
+    def _guesses(self, s: Array) -> tuple[Array, Array]:
+        """t and d tau/dt at the times s in doubles: quintics between the places of a table with two derivatives."""
+        times, rates, bends = self.table
+        k = np.clip(np.searchsorted(times, s) - 1, 0, len(times) - 2)
         width, step = times[k + 1] - times[k], 2 / _PLACES
         x = (s - times[k]) / width
-        bend = (1 - x) * (width / slopes[k] - step) + x * (step - width / slopes[k + 1])
-        t = -1 + step * (k + x) + x * (1 - x) * bend
-        return min(max(t, -1.0), 1.0), slopes[k] + x * (slopes[k + 1] - slopes[k])
+        # Hermite's: by x, dt/dx less that of the chord and d^2 t/dx^2 at both places.
+        a, b = (width / rates[j] - step for j in (k, k + 1))
+        c, d = (-(width**2) * bends[j] / rates[j] ** 3 for j in (k, k + 1))
+        first, last, xy = c / 2 + 2 * a + b, d / 2 - a - 2 * b, x * (1 - x)
+        cubic, quintic = a - (a + b) * x, first + (last - first) * x
+        t = -1 + step * (k + x) + xy * (cubic + xy * quintic)
+        speed = step + (1 - 2 * x) * (cubic + 2 * xy * quintic) + xy * (xy * (last - first) - a - b)
+        return np.clip(t, -1, 1), width / speed
 
-    def state(self, t: arb) -> tuple[arb, arb]:
-        """(r cos theta, r sin theta) in units of the amplitude at the turning point."""
-        e, r = (self.courses.h * (t - 1)).exp(), self.ln_r(t).exp()
+    def _state(self, t: arb, ln_r: arb) -> tuple[arb, arb]:
+        e, r = (self.courses.h * (t - 1)).exp(), ln_r.exp()
         square = e * e
         below = r / (1 + square)
         return (1 - square) * below, 2 * e * below
 
 
+def _reached(clock: arb_poly, s: arb, t: arb, slope: arb, fine: arb) -> tuple[arb, arb]:
+    """An exact t on [-1, 1] and its time, nearly s: the t is a choice, by secants."""
+    time = clock(t)
+    for _ in range(_GIVEN_UP):
+        off = (time - s).mid()
+        there = min(max((t - off / slope).mid(), _FIRST), _LAST)
+        if not abs(off) > fine or there == t:
+            break
+        later = clock(there)
+        slope, t, time = ((later - time) / (there - t)).mid(), there, later
+    return t, time
+
+
 @dataclass(frozen=True)
 class Courses:
-    """``growth`` (ln r) and ``clock`` of all quarter-swings with |z| <= ``last``, which have one ``h``."""
+    """``growth`` (ln r) and ``clock`` of all quarter-swings with |z| <= ``last``, which have one ``h``.
 
-    bits: int
+    ``swings``: the half-swings put together from their ends.
+    """
+
     last: arb
     h: arb
     growth: Along
     clock: Along
+    swings: HalfSwings
 
     @classmethod
     def up_to(cls, coordinate: Coordinate, last: arb, bits: int) -> "Courses":
@@ -163,7 +183,7 @@ class Courses:
             # An even count has no node at z = 0, where no law is left.
             places = [last * t for t in nodes(count + count % 2)]
             bundle = Bundle.together([(coordinate.damping(abs(z)), 1 if z > 0 else -1) for z in places])
-            along, rim = bundle.in_doubles.planned(bits)
+            along, rim = bundle.in_doubles.planned(bits + _SPARE)
             if along > _MOST:
                 raise UndecidedError("the quarter-swings need too many nodes")
             grid = NodeGrid.of(bundle, along)
@@ -178,7 +198,9 @@ class Courses:
                     (rates, bundle.times, cut(ellipse.majorant.excess, ellipse.R, len(places)), late),
                 )
             )
-            return cls(bits, last, bundle.h[0], growth, clock)
+            quarters = Quarters.of(path.enclosed(rim), ellipse, arb(0), last, bits)
+            swings = HalfSwings.mirrored(coordinate.root, quarters, last, bits)
+            return cls(last, bundle.h[0], growth, clock, swings)
 
     def quarter(self, z: arb) -> QuarterCourse:
         """The quarter-swing at a ball of places; UndecidedError beyond the interval."""
@@ -187,16 +209,15 @@ class Courses:
             raise UndecidedError("an amplitude is outside the interval of the quarter-swings")
         return QuarterCourse(self, self.growth.at(place), self.clock.at(place), self._table(float(place)))
 
-    def _table(self, place: float) -> tuple[list[float], list[float]]:
+    def _table(self, place: float) -> list[Array]:
         weights = chebvander([place], len(self.in_doubles[0]) - 1)[0]
-        times, slopes = (weights @ part for part in self.in_doubles)
-        return times.tolist(), slopes.tolist()
+        return [weights @ part for part in self.in_doubles]
 
     @cached_property
-    def in_doubles(self) -> tuple[Array, Array]:
-        """tau and d tau/dt by T_l(z), at equal steps of t."""
-        b, t = self.clock.in_doubles, np.linspace(-1, 1, _PLACES + 1)
-        return np.asarray(chebval(t, b.T), float), np.asarray(chebval(t, chebder(b.T)), float)
+    def in_doubles(self) -> list[Array]:
+        """tau, d tau/dt and d^2 tau/dt^2 by T_l(z), at equal steps of t."""
+        b, t = self.clock.in_doubles.T, np.linspace(-1, 1, _PLACES + 1)
+        return [np.asarray(chebval(t, chebder(b, order)), float) for order in range(3)]
 
 
 def _integrated(b: list[arb], start: arb) -> list[arb]:

@@ -22,6 +22,7 @@ where z' lies in a ball about z, z'_end lies between z_end (z'/z) and z_end (z/z
 ('[0.882189986247 +/- ...]', '[3.14622255601 +/- ...]')
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from flint import arb, arb_poly
@@ -32,8 +33,8 @@ from asymptotics.numbers.context import ctx
 from asymptotics.return_map.chebyshev import Interpolant, interpolant, nodes
 from asymptotics.return_map.coordinate import Coordinate
 from asymptotics.return_map.half_swing_map import ROUTE, HalfSwingBalls
-from asymptotics.return_map.panel_plan import verified, widest
-from asymptotics.return_map.quarters import quarter_swings
+from asymptotics.return_map.panel_plan import Ellipse, verified, widest
+from asymptotics.return_map.quarters import Quarter, quarter_swings
 
 # Bits more for the residual of the root equation, a difference of nearly equal numbers; secants end after a few rounds,
 # and the limit is for noise that goes on falling.
@@ -52,6 +53,15 @@ class Quarters:
     scale: arb
     R: Interpolant
     duration: Interpolant
+
+    @classmethod
+    def of(cls, found: Sequence[Quarter], ellipse: Ellipse, middle: arb, half: arb, bits: int) -> "Quarters":
+        """From those at the nodes of the interval about ``middle``."""
+        # |R| <= G and |T_q - pi/2| <= excess on the whole ellipse: the constants of Cauchy's inequality (c = 0 and c =
+        # pi/2).
+        bounds, fine = ellipse.majorant, arb(2) ** -bits
+        R = interpolant([one.ln_r for one in found], bounds.growth, ellipse.R, fine)
+        return cls(middle, 1 / half, R, interpolant([one.duration for one in found], bounds.excess, ellipse.R, fine))
 
     def place(self, z: arb) -> arb:
         """z on [-1, 1]; UndecidedError beyond."""
@@ -89,7 +99,12 @@ class HalfSwings:
             # A little longer at both ends, so that a rounded place next to one of them lies inside; no node of it is
             # below 0, as the first one is about (pi/4 m)^2 of the interval from its end.
             middle, half = (arb(0), last * _LONGER) if odd else (last / 2, last / 2 * _LONGER)
-            return replace(cls._about(coordinate, middle.mid(), half.mid(), bits, odd), last=last)._guessed(bits)
+            return cls._about(coordinate, middle.mid(), half.mid(), bits, odd)._guessed(last, bits)
+
+    @classmethod
+    def mirrored(cls, root: arb | None, quarters: Quarters, last: arb, bits: int) -> "HalfSwings":
+        """From quarters on [-last, last], where those at -z are those at z backwards in time."""
+        return cls(root, quarters, quarters, -1, last)._guessed((last / _LONGER).mid(), bits)
 
     @classmethod
     def between(cls, coordinate: Coordinate, first: arb, last: arb, growth: arb, bits: int) -> "HalfSwings":
@@ -107,7 +122,6 @@ class HalfSwings:
     def _about(cls, coordinate: Coordinate, middle: arb, half: arb, bits: int, odd: bool) -> "HalfSwings":
         stretch = _SHARE * widest(coordinate, float(middle), float(half), whole=False)
         ellipse = verified(coordinate, middle, half, stretch, whole=False)
-        size, excess = ellipse.majorant.growth, ellipse.majorant.excess
         count = ellipse.nodes_for(bits)
         # An even count has no node at z = 0, where all strengths vanish and no law is left.
         places = [middle + half * t for t in nodes(count + count % 2 if odd else count)]
@@ -115,31 +129,17 @@ class HalfSwings:
             laws = [(coordinate.damping(abs(z)), 1 if z > 0 else -1) for z in places]
         else:
             laws = [(coordinate.damping(z), side) for side in (1, -1) for z in places]
-        found = quarter_swings(laws, bits)
-        fine = arb(2) ** -bits
-        both = [
-            Quarters(
-                middle,
-                1 / half,
-                # |R| <= G and |T_q - pi/2| <= excess on the whole ellipse: the constants of Cauchy's inequality (c = 0
-                # and c = pi/2).
-                interpolant([one.ln_r for one in part], size, ellipse.R, fine),
-                interpolant([one.duration for one in part], excess, ellipse.R, fine),
-            )
-            for part in (found[: len(places)], found[len(places) :])
-            if part
-        ]
+        found, m = quarter_swings(laws, bits), len(places)
+        both = [Quarters.of(part, ellipse, middle, half, bits) for part in (found[:m], found[m:]) if part]
         root = None if coordinate.root is None else arb(coordinate.root)
         return cls(root, both[0], both[-1], -1 if odd else 1, middle + half)
 
-    def _guessed(self, bits: int) -> "HalfSwings":
-        """The same with L nearly, for an interval from 0: as many nodes as R took terms, and some more."""
+    def _guessed(self, last: arb, bits: int) -> "HalfSwings":
+        """The same up to ``last`` with L nearly, from 0 on: as many nodes as R took terms, and some more."""
         places = nodes(2 * self.forwards.R.degree + _MORE)
-        found = [
-            self._near(z, self.forwards.R(self.forwards.place(z))) for z in ((t + 1) / 2 * self.last for t in places)
-        ]
+        found = [self._near(z, self.forwards.R(self.forwards.place(z))) for z in ((t + 1) / 2 * last for t in places)]
         # A choice like any other guess: its error is not used.
-        return replace(self, guess=interpolant(found, arb(1), arb(2), arb(2) ** -bits).polynomial)
+        return replace(self, last=last, guess=interpolant(found, arb(1), arb(2), arb(2) ** -bits).polynomial)
 
     def holds(self, z: arb) -> bool:
         """Whether every place in the ball lies in the interval from 0."""

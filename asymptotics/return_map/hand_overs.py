@@ -33,6 +33,10 @@ HAND_OVERS = (2.0**-3, 2.0**-5, 2.0**-7, 2.0**-9)
 """Speeds, in units of the amplitude, up to which the local expansion serves: the first that takes few terms."""
 _LOW = 53  # bits of the bounds
 _EARLIER = arb(0.125)  # of h: by how much hand-overs at one angle come before the speed that the expansions reach
+# Of hand-overs at one angle, a choice: a state before them costs as much as ten on the way, which is longer by more
+# the more bits it has.  10^4 states of 3/2 over 200 half-swings took 0.76, 0.63, 0.62 s for 2^-3, 2^-5, 2^-6 in 94
+# bits, 10^3 of them 1.65, 1.76, 2.1 s for 2^-3, 2^-5, 2^-7 in 300.
+_LATER, _CHEAP = 4, 192
 _SECANTS = 20  # rounds; five bring 100 bits
 
 
@@ -61,7 +65,7 @@ class Bundle:
     @classmethod
     def together(cls, laws: Sequence[tuple[Damping, int]]) -> "Bundle":
         """The same with one h: hand-overs at one angle theta."""
-        w = _hand_over(laws)
+        w = _hand_over(laws) / (_LATER if ctx.prec < _CHEAP else 1)
         # A little before the speed up to which the expansions serve: at one angle the speeds differ with the strengths.
         h = (((1 + (1 - w * w).sqrt()) / w).log() / 2 + _EARLIER).mid()
         columns = [_Start.of(law, side, w).at_angle(h) for law, side in laws]

@@ -171,6 +171,7 @@ class ReturnMap:
                 tick()  # where the time is over, the place is not to blame
                 self.too_far = (z / 2).mid()  # a choice: nearer to 0 it is tried again
                 return None
+            self.made.append(self.courses.swings)
         return self.courses
 
     def _from_zero(self, z: arb, remaining: int) -> PanelPlan | None:
@@ -186,7 +187,8 @@ class ReturnMap:
         # Where z falls as the amplitude does, the panel holds all that follows.
         if beyond or not c.from_zero:
             remaining = self._within(z, (beyond, plan.last), min(remaining, work + 1))
-        return plan if missed + remaining > work else None
+        # As many laws again are to be expected as there were.
+        return plan if 2 * missed + remaining > work else None
 
     def _within(self, z: arb, ends: tuple[float, float], count: int) -> int:
         """About how many of the next ``count`` half-swings begin between two places."""

@@ -19,12 +19,13 @@ polynomial in t does it for each strength, z = h (t - 1), h = -z_0/2, -1 <= t <=
 * So f differs by at most ``chebyshev.cut`` from the polynomial through its values at m nodes, and that from P by at
   most sqrt(2m - 1) times the largest difference at a node: |f - P| <= eta.
 * On the real line |s^alpha c| <= (alpha^alpha/(1+alpha)^(1+alpha))^(1/2) gives a smaller kappa, and the right-hand
-  side changes with g at most at the rate K = h sum |alpha_i - 1| |delta_i| e^((alpha_i-1) g)/(1 - kappa)^2.  So
-  (Gronwall)
+  sides change with g at most at the rates h s^2 D'/(1 - kappa)^2 and h s |c| D'/(1 - kappa)^2, D' = sum |alpha_i - 1|
+  |delta_i| e^((alpha_i-1) g) s^alpha_i.  With dz = d theta/s their integrals along the quarter are those of sin and cos
+  at most: no more than K = sum |alpha_i - 1| |delta_i| e^((alpha_i-1) g)/(1 - kappa)^2.  So (Gronwall)
 
-    |g - G| <= e^(2K) (|g - G|(-1) + 2 eta),    |g - G|(-1) <= dg + dz sum |delta_i| e^((alpha_i-1) g)/(1 - kappa),
+    |g - G| <= e^K (|g - G|(-1) + 2 eta),    |g - G|(-1) <= dg + dz sum |delta_i| e^((alpha_i-1) g)/(1 - kappa),
 
-  and the time is off by the cut of its integrand, by 2 K max |g - G| and by dz max |d tau/dz| <= dz/(1 - kappa).
+  and the time is off by the cut of its integrand, by K max |g - G| and by dz max |d tau/dz| <= dz/(1 - kappa).
 
 Derivation ``quarter-collocation``.
 
@@ -267,19 +268,18 @@ class Path:
             if found is None:
                 raise UndecidedError("no ellipse about the quarter-swings is proved to be free of singularities")
             M, N = found
-            # On the real line, |T_k| <= 1, for all g within _NEAR of G: the Lipschitz constant K must hold wherever the
-            # truth may be, which the check of ``apart`` below closes.
+            # On the real line, |T_k| <= 1, for all g within _NEAR of G: the rates in K must hold wherever the truth
+            # may be, which the check of ``apart`` below closes.
             drags = self.drags(upper(self.sizes(arb(1)) + arb(_NEAR)))
             kappa = sum((d * peak(e) for d, e in zip(drags, bundle.alphas)), arb(0))
             if not kappa < 1:
                 raise UndecidedError("the strengths are too large for polar coordinates")
-            h = reduce(arb.max, bundle.h)
-            K = h * sum((abs(a - 1) * d for a, d in zip(bundle.alphas, drags)), arb(0)) / (1 - kappa) ** 2
+            K = sum((abs(a - 1) * d for a, d in zip(bundle.alphas, drags)), arb(0)) / (1 - kappa) ** 2
             begun = bundle.dg + bundle.dz * sum(drags, arb(0)) / (1 - kappa)
             eta = cut(M, R, m) + self.differs
             # Gronwall's inequality over the length 2.
-            apart = upper((2 * K).exp() * (begun + 2 * eta))
-            late = upper(2 * cut(N, R, m) + 2 * K * apart + bundle.dz / (1 - kappa))
+            apart = upper(K.exp() * (begun + 2 * eta))
+            late = upper(2 * cut(N, R, m) + K * apart + bundle.dz / (1 - kappa))
         # So the truth never leaves the strip in which K was taken, by continuity.
         if not apart < _NEAR:
             raise UndecidedError("the quarter-swings are not enclosed")

@@ -15,13 +15,15 @@
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from flint import arb
 
 from asymptotics.flow.balls import upper
 from asymptotics.flow.damping import Damping
+from asymptotics.flow.dense import KnownPiece
 from asymptotics.flow.error_propagation import CarriedErrors, contraction_by_ratio
+from asymptotics.flow.linear_spring.expansion import TurningExpansion
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.trajectory import DeparturePiece, Piece
 from asymptotics.flow.turning import TurningState
@@ -34,12 +36,14 @@ from asymptotics.return_map.panels import Panels
 class Interpolated(LinearSpring):
     """A linear spring whose half-swings up to the turning point ``last`` may be read off ``panels``.
 
-    ``within``: in about how many half-swings states are asked for, which may repay their courses.
+    ``within``: in about how many half-swings states are asked for, which may repay their courses.  ``ahead``: about
+    where this half-swing turns.
     """
 
     panels: Panels
     last: int = 0
     within: int = 0
+    ahead: arb | None = None
 
     def leap(self, here: TurningState, before: arb | None = None) -> TurningState | None:
         """By a panel, where as many half-swings as may follow repay it."""
@@ -60,18 +64,28 @@ class Interpolated(LinearSpring):
         # The local expansion must reach the hand-over of the first quarter.
         if course is None or not course.begin <= first.end:
             return None
-        return OnCourse(self, arb(1), course.begin, course.end, CarriedErrors(arb(0), given), None, course)
+        flow = replace(self, ahead=-course.q.mid())
+        return OnCourse(flow, arb(1), course.begin, course.end, CarriedErrors(arb(0), given), None, course)
+
+    def arrive(self, place: arb, w: arb) -> TurningExpansion:
+        """The expansion at ``ahead``: any guess will do (``turning_point``); what it misses the state by is added."""
+        return super().arrive(place, w) if self.ahead is None else TurningExpansion.at(self.force, self.ahead, w)
 
 
 @dataclass(frozen=True)
-class OnCourse(Piece):
+class OnCourse(KnownPiece):
     """The orbit from the exact start of the half-swing: two motions never part, so that ``errors`` are those given."""
 
     course: Course
 
     def own(self, t: arb) -> tuple[arb, arb]:
         """(place, w) off the interpolated quarters."""
-        return self.course.state(t)
+        return self.course.states([t])[0]
+
+    def all_at(self, times: Sequence[arb]) -> list[tuple[arb, arb]]:
+        """The same within the errors; the unit is 1, and places are u itself, as there is no dry friction."""
+        error = arb(0, self.error)
+        return [(place + error, w + error) for place, w in self.course.states(times)]
 
 
 def _whole_swings(time: arb) -> int:

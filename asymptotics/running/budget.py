@@ -21,7 +21,21 @@ from time import monotonic
 
 from asymptotics.errors import LimitError
 
-DEFAULT_SECONDS = 60.0
+
+class Unasked(float):
+    """A limit in seconds that nobody asked for: inside a request it yields to what that was given.
+
+    >>> with budget(600):
+    ...     with budget(Unasked(60)):
+    ...         inside = seconds_given()
+    ...     inside, allowed(Unasked(60)), allowed(30.0)
+    (600, 600, 30.0)
+    >>> allowed(Unasked(60))
+    60.0
+    """
+
+
+DEFAULT_SECONDS = Unasked(60)
 _ACCEPTED = "a larger limit, a lower order, fewer points, fewer digits or a shorter time"
 
 
@@ -40,8 +54,9 @@ _current: ContextVar[_Budget | None] = ContextVar("budget", default=None)
 def budget(seconds: float = DEFAULT_SECONDS, report: Callable[[str], None] | None = None) -> Iterator[None]:
     """Everything inside has ``seconds`` together; ``report`` is handed what ``tick`` says, to show the progress."""
     outer, own = _current.get(), _Budget(seconds, monotonic() + seconds, report)
-    # An inner budget cannot give more time than the outer one has left.
-    token = _current.set(outer if outer is not None and outer.deadline < own.deadline else own)
+    # An inner budget cannot give more time than the outer one has left, and takes none away unless it is asked for.
+    keeps = outer is not None and (isinstance(seconds, Unasked) or outer.deadline < own.deadline)
+    token = _current.set(outer if keeps else own)
     try:
         yield
     finally:
@@ -72,6 +87,12 @@ def seconds_given() -> float:
     """What the budget in force was given, infinity without one: unlike what is left, the same in each run."""
     current = _current.get()
     return inf if current is None else current.seconds
+
+
+def allowed(limit: float) -> float:
+    """A limit of estimated work: what the request in force was given, where that is more and nobody asked for less."""
+    given = seconds_given()
+    return max(limit, given) if isinstance(limit, Unasked) and given < inf else limit
 
 
 def require_seconds(estimate: float, work: str) -> None:

@@ -28,6 +28,7 @@ from asymptotics.numbers import context
 from asymptotics.numbers.policy import exact_seconds
 from asymptotics.running.budget import budget, seconds_left, tick
 from asymptotics.running.cut_short import is_lost
+from asymptotics.running.signature import readable
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -58,7 +59,9 @@ def _timed(function: Any, *, alone: bool) -> Any:
         ):
             return function(*args, **kwargs)
 
-    return call
+    timed: Any = call
+    timed.__signature__ = readable(function)
+    return timed
 
 
 class limited:  # noqa: N801 (used as a context manager, as ``suppress`` and ``closing`` are)

@@ -111,7 +111,7 @@ class Command:
             drawing: Makers = {"--plot": picture_maker(options, lambda: [found])} if offers.picture else {}
             drawing["--html"] = lambda _: self._page(request, found)
             more = write_files(files | proof.checker, drawing | proof.makers)
-            text = "\n".join([text, *more, *proof.told])
+            text = "\n".join([text, *more, *proof.lines])
             return Answer(data | proof.data, text, options.json, bool(offers.failed(found, request)))
 
         return request, shown
@@ -128,12 +128,14 @@ class Command:
         with changed(lambda rows: self._with_rows(request, files, found, rows)):
             written = write_files(files, makers, options if offers.again is not None else None, self.question)
         answer = self._answer(request, found, written)
-        return replace(answer, data=answer.data | proof.data, text="\n".join([answer.text, *proof.told]))
+        return replace(answer, data=answer.data | proof.data, text="\n".join([answer.text, *proof.lines]))
 
     def _page(self, request: Request, found: Any) -> str:
         own = None if self.question.offers.page is None else self.question.offers.page(found, request)
         return (
-            str(own) if own is not None else page_of(self.question, request, found, self.question.told(request.options))
+            str(own)
+            if own is not None
+            else page_of(self.question, request, found, self.question.as_typed(request.options))
         )
 
     def _with_rows(self, request: Request, files: dict[str, Path], found: Any, rows: Any) -> Answer | None:
@@ -166,7 +168,7 @@ class _Proof:
     checker: dict[str, Path] = field(default_factory=dict)
     makers: Makers = field(default_factory=dict)
     data: dict[str, Any] = field(default_factory=dict)
-    told: tuple[str, ...] = ()
+    lines: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, make: Part | None, request: Request, files: dict[str, Path], found: Any) -> "_Proof":

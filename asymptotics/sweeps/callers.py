@@ -31,26 +31,26 @@ def caller_mark(task: Callable[..., Any], version: str | None = None) -> str:
         inner = inner.func
     if version == "" or (version is None and str(getattr(inner, "__module__", "")).partition(".")[0] in PACKAGES):
         return ""
-    said = f"version {version}" if version is not None else _seen(task, set())
+    said = f"version {version}" if version is not None else _code_of(task, set())
     return hashlib.sha256(said.encode()).hexdigest()[:16]
 
 
-def _seen(value: Any, met: set[int]) -> str:
+def _code_of(value: Any, met: set[int]) -> str:
     """A text that is another one for other code, and the same in every process."""
     if isinstance(value, int) and not isinstance(value, bool):
         return hex(value)  # of any length: Python prints no decimal of more than 4300 digits
     if isinstance(value, _PLAIN):
         return repr(value)
     if isinstance(value, tuple | list):
-        return f"[{', '.join(_seen(item, met) for item in value)}]"
+        return f"[{', '.join(_code_of(item, met) for item in value)}]"
     if isinstance(value, frozenset | set):  # whose order is another one in each process
-        return f"{{{', '.join(sorted(_seen(item, met) for item in value))}}}"
+        return f"{{{', '.join(sorted(_code_of(item, met) for item in value))}}}"
     if isinstance(value, dict):
-        return f"{{{', '.join(f'{_seen(k, met)}: {_seen(v, met)}' for k, v in value.items())}}}"
+        return f"{{{', '.join(f'{_code_of(k, met)}: {_code_of(v, met)}' for k, v in value.items())}}}"
     if isinstance(value, partial):
-        return f"partial({_seen(value.func, met)}, {_seen(value.args, met)}, {_seen(value.keywords, met)})"
+        return f"partial({_code_of(value.func, met)}, {_code_of(value.args, met)}, {_code_of(value.keywords, met)})"
     if isinstance(value, CodeType):
-        return f"code({value.co_code.hex()}, {value.co_names}, {_seen(value.co_consts, met)})"
+        return f"code({value.co_code.hex()}, {value.co_names}, {_code_of(value.co_consts, met)})"
     if isinstance(value, ModuleType):
         return f"module {value.__name__}"
     if isinstance(value, FunctionType):
@@ -70,8 +70,8 @@ def _function(function: FunctionType, met: set[int]) -> str:
     if id(function) in met:  # it calls itself
         return "again"
     met.add(id(function))
-    parts = [_seen(part, met) for part in (function.__code__, function.__defaults__, function.__kwdefaults__)]
-    parts += [_seen(cell.cell_contents, met) for cell in function.__closure__ or ()]
+    parts = [_code_of(part, met) for part in (function.__code__, function.__defaults__, function.__kwdefaults__)]
+    parts += [_code_of(cell.cell_contents, met) for cell in function.__closure__ or ()]
     root = function.__module__
     for name in _names(function.__code__):
         if name not in function.__globals__:  # an attribute, or a word of Python
@@ -79,7 +79,7 @@ def _function(function: FunctionType, met: set[int]) -> str:
         used = function.__globals__[name]
         # A function from elsewhere is known by its name; of what the function's own module has, the content counts.
         elsewhere = isinstance(used, FunctionType) and used.__module__ != root
-        parts.append(f"{name}: {used.__module__ if elsewhere else _seen(used, met)}")
+        parts.append(f"{name}: {used.__module__ if elsewhere else _code_of(used, met)}")
     return f"function({', '.join(parts)})"
 
 

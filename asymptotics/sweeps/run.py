@@ -114,24 +114,60 @@ def sweep(
     workers: int | None = None,
     executor: Executor | None = None,
     crew: OpenCrew | None = None,
-    progress: Progress = lambda done, total: None,
+    progress: Progress | None = None,
     version: str | None = None,
     max_seconds: Number | None = None,
 ) -> SweepResult:
-    """Compute ``task`` at every point that the store in ``folder`` does not hold yet.
+    """Compute a task of one's own at every point that the store in ``folder`` does not hold yet, in processes.
 
-    ``task`` takes a point and returns JSON-ready data; with a pool it must be a function of a module.  Its results are
-    filed under ``command`` and the code of the task (``callers``), or its ``version`` where one is given ("": under
-    ``command`` alone): a task that was corrected is computed again.  Any ``executor`` of concurrent.futures may be
-    given, and is left open; otherwise there are ``workers`` processes (default: one for each core; 1: this process), or
-    the ``crew`` that is opened, and opened again when it breaks.  ``progress`` is called with the numbers of points
-    done and asked for.
-    A store that can only be read serves a sweep of which it holds every point.
-    Raises InputError for an unusable store (one of other code among them), a worker of other code, or a full disk;
-    everything finished is then in the store.
+    Whatever ends it, everything that was finished is in the store. A store that can only be read serves a sweep of
+    which it holds every point. ``sweep_command`` sweeps a command of this package.
+
+    Parameters
+    ----------
+    task
+        takes a point (a mapping name -> text) and returns JSON-ready data; with a pool it is a function of a module
+    command
+        the name under which its results are filed
+    points
+        the points: a ``Grid``, or a sequence of mappings
+    folder
+        the store: new, empty, or one that a sweep has made
+    workers
+        processes; by default one for each core, 1 computes in this process
+    executor
+        any executor of concurrent.futures in the place of ``workers``; it is left open
+    crew
+        what opens the workers, and opens them again when they break, in the place of both
+    progress
+        is called with the numbers of points done and asked for
+    version
+        files the results in the place of the code of the task (``callers``), by which a task that was corrected is
+        computed again; "": under ``command`` alone
+    max_seconds
+        the time the call may take, in s; without a limit unless asked
+
+    Returns
+    -------
+    SweepResult
+        the results in the order of the points, and how many were computed and found
+
+    Raises
+    ------
+    InputError
+        for an unusable store (one of other code among them), a worker of other code, or a full disk
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     found = sweep(lambda point: int(point["n"]) ** 2, "squares", [{"n": "3"}, {"n": "4"}], folder, workers=1)
+    >>> found.computed, found.failed
+    (2, 0)
     """
     start = time.perf_counter()
     folder = _folder(folder)
+    progress = (lambda done, total: None) if progress is None else progress
     _require_readable(task, command, points, progress)
     own = caller_mark(task, version)
     command = f"{command} [{own}]" if own else command

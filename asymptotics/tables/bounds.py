@@ -3,7 +3,7 @@
 from asymptotics.bounds.local import local_bounds
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.inputs import GRID, Inputs
-from asymptotics.tables.recipe import Found, begun
+from asymptotics.tables.recipe import Found, rows_in_progress
 
 # As far as orders are usually taken; --rows goes on.
 _ORDERS = 3
@@ -16,7 +16,7 @@ def error_bounds(inputs: Inputs, _digits: int) -> Found:
     constants are rounded up and delta_max down, to two digits whatever is asked for.
     """
     orders = range(1, inputs.count(_ORDERS) + 1)
-    rows = begun()
+    rows = rows_in_progress()
     for a in inputs.alphas_or(GRID):
         rows += [_row(a, order) for order in orders]
     return Found(rows, True)

@@ -13,14 +13,14 @@ from asymptotics.expansions.normal_form.results import Coefficient
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.cells import Cell, Formula, Nearest
 from asymptotics.tables.inputs import GRID, Inputs
-from asymptotics.tables.recipe import Found, begun
+from asymptotics.tables.recipe import Found, rows_in_progress
 
 _ORDER = 4
 
 
 def normal_form(inputs: Inputs, digits: int) -> Found:
     """Rows (alpha, coefficient, value, exact): p_k and Omega_k in the turning-point gauge; --rows is the order."""
-    found = Found(begun(), True)
+    found = Found(rows_in_progress(), True)
     for alphas in _exponents(inputs):
         made = expansion_coefficients(alphas, inputs.count(_ORDER), digits)
         for name, row in (("p", made.amplitude), ("Omega", made.frequency)):
@@ -30,7 +30,7 @@ def normal_form(inputs: Inputs, digits: int) -> Found:
 
 def half_swing(inputs: Inputs, digits: int) -> Found:
     """Rows (alpha, coefficient, value, exact): L, T, U, W and, for one law, F and V; --rows is the order."""
-    found = Found(begun(), True)
+    found = Found(rows_in_progress(), True)
     for alphas in _exponents(inputs):
         made = half_swing_coefficients(alphas, inputs.count(_ORDER), digits)
         rows = [("L", made.log_ratio), ("T", made.duration), ("U", made.U), ("W", made.W)]

@@ -11,5 +11,21 @@ from asymptotics.tables import registry
 
 @public
 def table_names(*, max_seconds: Number = 60) -> dict[str, str]:
-    """The names of the tables and their titles, as ``asymptotics table --list`` has them."""
+    """The names of the tables of ``table`` and their titles, as ``asymptotics table --list`` has them.
+
+    Parameters
+    ----------
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    dict
+        name -> title
+
+    Examples
+    --------
+    >>> table_names()["smith2012.f"]
+    'Smith 2012, (60): the polynomials f_n(w)'
+    """
     return registry.names()

@@ -17,7 +17,7 @@ from asymptotics.numbers.rationals import to_fraction
 from asymptotics.running.budget import tick
 from asymptotics.tables.cells import Cell, Formula, Nearest, Rows
 from asymptotics.tables.inputs import Inputs
-from asymptotics.tables.recipe import Found, begun
+from asymptotics.tables.recipe import Found, rows_in_progress
 from asymptotics.turning.quadratic_map import amplitudes
 
 # Default lengths; --rows goes on.
@@ -39,7 +39,7 @@ def _half_cycles(before: Rows, u_0: ExactReal, count: int, digits: int) -> Rows:
     def attempt(_bits: int) -> Rows | None:
         start = u_0.ball()
         constant = first_constant(start, arb(0))
-        rows = begun()
+        rows = rows_in_progress()
         rows.extend(before)
         # ``amplitudes`` is in p = 2|u|, by W_0 of Lambert's function: a contraction, so that the radius of p grows by
         # roundings alone (derivation ``smith-contraction``).
@@ -68,7 +68,7 @@ def transit_time(inputs: Inputs, _digits: int) -> Found:
 
 def smith_c(inputs: Inputs, _digits: int) -> Found:
     """Rows (n, i, C_i^n, value), n up to --rows."""
-    rows = begun()
+    rows = rows_in_progress()
     for n in range(1, inputs.count(_ROWS, per_row=inputs.rows or _ROWS) + 1):
         rows += [(str(n), str(i), str(c), c) for i, c in coefficients(n).items()]
     return Found(rows, True)
@@ -77,7 +77,7 @@ def smith_c(inputs: Inputs, _digits: int) -> Found:
 def smith_f(inputs: Inputs, _digits: int) -> Found:
     """Rows (n, f_n(w)), n up to --rows."""
     w = sympy.Symbol("w")
-    rows = begun()
+    rows = rows_in_progress()
     for n in range(1, inputs.count(_ROWS, per_row=inputs.rows or _ROWS) + 1):
         f = sum((to_sympy(ExactReal(c)) * w**i for i, c in coefficients(n).items()), sympy.S.Zero)
         rows.append((str(n), Formula(str(f), sympy.latex(f))))

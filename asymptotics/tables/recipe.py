@@ -20,7 +20,7 @@ class Found:
 _made: ContextVar[list[Rows] | None] = ContextVar("rows", default=None)
 
 
-def begun() -> Rows:
+def rows_in_progress() -> Rows:
     """Where a recipe puts its rows, one by one: those that are done when it is stopped are kept."""
     rows: Rows = []
     begun_before = _made.get()
@@ -29,10 +29,10 @@ def begun() -> Rows:
     return rows
 
 
-class Begun:
-    """``with Begun() as begun:`` the rows of every recipe that begins inside; ``begun.most()`` are the most of them."""
+class RowsInProgress:
+    """``with RowsInProgress() as progress:`` the rows of every recipe that begins inside; the ``longest`` of them."""
 
-    def __enter__(self) -> "Begun":
+    def __enter__(self) -> "RowsInProgress":
         self.tried: list[Rows] = []
         self.before = _made.set(self.tried)
         return self
@@ -40,7 +40,7 @@ class Begun:
     def __exit__(self, *_: object) -> None:
         _made.reset(self.before)
 
-    def most(self) -> Rows:
+    def longest(self) -> Rows:
         """The rows of the attempt that came farthest."""
         # A recipe runs once for each guard of digits, and begins its rows anew each time.
         return max(self.tried, key=len, default=[])

@@ -17,7 +17,7 @@ from asymptotics.running.cut_short import changed
 from asymptotics.tables.cells import Rows, round_rows, rounded_so_far
 from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.provenance import checksum, provenance
-from asymptotics.tables.recipe import Begun, Recipe
+from asymptotics.tables.recipe import Recipe, RowsInProgress
 from asymptotics.tables.recipes import RECIPES
 from asymptotics.tables.table import Table
 
@@ -61,12 +61,12 @@ def build(name: str, digits: int = 30, inputs: Inputs | None = None, rounding: s
     # its recipe if it can; otherwise the rows that the recipe has begun count.
     def so_far(found: Any) -> Table | None:
         """The rows that were done; a sequence that a row would have come from is none."""
-        cells = found if isinstance(found, list) else begun.most()
+        cells = found if isinstance(found, list) else progress.longest()
         done = rounded_so_far(cells, digits, rounding)
         return table(done, _proved(recipe, done)) if done else None
 
     # The order matters: the rows must still be known when the error passes ``changed``.
-    with Begun() as begun, changed(so_far, otherwise=lambda: so_far(begun.most())):
+    with RowsInProgress() as progress, changed(so_far, otherwise=lambda: so_far(progress.longest())):
         rows = round_rows(compute, digits, rounding)
     return table(rows, verdicts[-1])
 

@@ -6,7 +6,7 @@ from asymptotics.expansions.divergence.result import action_of, pole_of, stokes_
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.cells import Cell, Nearest
 from asymptotics.tables.inputs import Inputs
-from asymptotics.tables.recipe import Found, begun
+from asymptotics.tables.recipe import Found, rows_in_progress
 
 _ALPHAS = ("0", "2", "4", "6")  # near 1 it takes longer: 1.1 a second, 1.03 twenty
 
@@ -14,7 +14,7 @@ _ALPHAS = ("0", "2", "4", "6")  # near 1 it takes longer: 1.1 a second, 1.03 twe
 def constants(inputs: Inputs, digits: int) -> Found:
     """Rows (alpha, c, 2 pi |c|, c_1, d_1); InputError for alpha = 1 and above 50, LimitError near 1."""
     alphas = inputs.alphas_or(_ALPHAS)
-    rows, certified = begun(), True
+    rows, certified = rows_in_progress(), True
     for alpha in alphas:
         s = stokes_constants(alpha, 1, digits)
         certified = certified and s.certified

@@ -8,7 +8,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.running.cut_short import changed
 from asymptotics.tables.cells import Cell, Nearest, Rows
 from asymptotics.tables.inputs import SUMS, Inputs, label
-from asymptotics.tables.recipe import Found, begun
+from asymptotics.tables.recipe import Found, rows_in_progress
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.result import TurningPoints
 from asymptotics.turning.routes.dry import last_turning_point
@@ -19,7 +19,7 @@ _ROWS = 5
 
 def turning(inputs: Inputs, digits: int) -> Found:
     """Rows (law, n, x, tau, certified, ended): turning points and times until --rows of them or the end."""
-    rows = begun()
+    rows = rows_in_progress()
     certified = True
     for law in inputs.laws_or(SUMS):
         # Points of the law at which the time was over come after the rows of the laws before it.
@@ -47,7 +47,7 @@ def _points(law: Law, made: TurningPoints) -> Rows:
 
 def half_periods(inputs: Inputs, digits: int) -> Found:
     """Rows (law, ratio, T, certified): the first half-swing from amplitude 1, where delta is epsilon."""
-    rows = begun()
+    rows = rows_in_progress()
     certified = True
     for law in inputs.laws_or((), ("1/10", "1/2", "1")):
         made = turning_points(law, 2, digits, times=True)
@@ -67,7 +67,7 @@ def half_periods(inputs: Inputs, digits: int) -> Found:
 
 def stops(inputs: Inputs, digits: int) -> Found:
     """Rows (epsilon, N, x_N, tau_N): where and when dry friction alone holds the mass."""
-    rows = begun()
+    rows = rows_in_progress()
     for epsilon in inputs.epsilons_or("1/100", "1/20", "1/10", "3/20", "1/5", "1/4", "3/10", "1/2"):
         # N is decided in exact arithmetic: at (2 N + 1) epsilon = 1 the mass sticks, and no ball could tell.
         law, last = Law({0: epsilon}), last_turning_point(epsilon)

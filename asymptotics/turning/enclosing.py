@@ -19,7 +19,7 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for
 from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.turning.result import TurningPoints
-from asymptotics.turning.table import Kept, PointsRequest, Progress, named, rounded
+from asymptotics.turning.table import PointsDone, PointsRequest, Progress, named, rounded
 
 MANY = 200_000
 """Half-swings beyond this number are jumped over, and cost no bits."""
@@ -87,7 +87,7 @@ def enclosed(
     UndecidedError where ``doublings`` of the precision do not decide how the motion goes on.
     """
 
-    kept = Kept(request)
+    kept = PointsDone(request)
 
     def attempt(bits: int) -> TurningPoints:
         # Made anew at each precision: strengths are balls of the precision at which they become balls.

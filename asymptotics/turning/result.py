@@ -71,7 +71,7 @@ class TurningPoint(Shown):
 
     @property
     def unit(self) -> str:
-        """The unit of x: m, rad, or none."""
+        """The unit of x, which is m, rad or none."""
         return self.frame.x
 
     def number(self, name: str = "x") -> Coefficient:
@@ -84,8 +84,8 @@ class TurningPoint(Shown):
 
     def _page(self) -> Page:
         frame, name = self.frame, self.frame.time
-        time = () if self.time is None else ((name, frame.told(name, self.time)),)
-        place = frame.told("x", self.x)
+        time = () if self.time is None else ((name, frame.with_unit(name, self.time)),)
+        place = frame.with_unit("x", self.x)
         worth = "certified: every digit is proved" if self.certified else "not certified"
         title = ", ".join(f"{key} = {value}" for key, value in (("x", place), *time))
         return Page(f"turning point {self.n}: {title}", (worth,), ("", "value"), (("x", place), *time))
@@ -183,7 +183,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
 
     @property
     def unit(self) -> str:
-        """The unit of x: m, rad for a pendulum; none of a law alone."""
+        """The unit of x, which is m, rad for a pendulum, and none of a law alone."""
         return self.frame.x
 
     @property
@@ -211,7 +211,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
             return super().__str__()
         frame = self.frame
         lines = [
-            f"{p.n}  {frame.told('x', p.x)}" + ("" if p.time is None else f"  {frame.told('t', p.time)}")
+            f"{p.n}  {frame.with_unit('x', p.x)}" + ("" if p.time is None else f"  {frame.with_unit('t', p.time)}")
             for p in self.points
         ]
         lines += [f"ended: {self.ended}"] if self.ended else []

@@ -119,15 +119,15 @@ def require_counts(count: int, digits: int, start: int, most: int = MAX_DIGITS) 
     require_integer(start, "start", 0, MAX_START)
 
 
-class Kept(keeping):
-    """``with Kept(request) as kept:`` an error carries the points of the attempt that came farthest, all proved."""
+class PointsDone(keeping):
+    """``with PointsDone(request) as kept:`` an error carries the points of the attempt that came farthest."""
 
     def __init__(self, request: PointsRequest) -> None:
         super().__init__(self._table)
         self.request = request
         self.tried: list[tuple[list[TurningPoint], Callable[[], str], dict[str, str] | None]] = []
 
-    def __enter__(self) -> "Kept":
+    def __enter__(self) -> "PointsDone":
         return self
 
     def begin(self, method: Callable[[], str], first: dict[str, str] | None = None) -> list[TurningPoint]:

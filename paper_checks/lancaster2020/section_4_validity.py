@@ -11,6 +11,7 @@ from flint import arb
 from asymptotics.law import Law
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.context import ctx
+from asymptotics.numbers.digits import ball_of
 from asymptotics.turning.choose import turning_points
 from paper_checks.evidence import sampled
 from paper_checks.identities import all_confirmed, below, decided, limit_is, same, vanishes
@@ -125,6 +126,7 @@ def late_rate(form: sympy.Expr) -> Outcome:
 
 
 CREEP = (1 + q) * E ** (1 / (1 + q)) / q  # T_c: where the creep X' = -(X/epsilon)^(1/alpha) from 1 comes to 0
+DIGITS = 5  # of what is compared within a few percent
 EXPONENTS_ABOVE_ONE = tuple(map(sympy.Rational, ("6/5", "3/2", "2", "3", "5")))
 
 
@@ -182,7 +184,7 @@ def _not_yet(a: sympy.Rational, time: sympy.Expr) -> Outcome:
     """
     with ctx.workprec(100):
         asked = closed_form_ball(time.subs(E, 1000))
-        first = arb(turning_points(Law({str(a): "1000"}), 2, 20, times=True).points[1].tau)
+        _, first = _turning_point(str(a), 1000, 1)
         if asked / 2 > first:  # a turning point after the creep: the amplitudes are compared
             return below(arb("1.2"), _quotient(a, 1000, max(1, int(float(asked / 2 / arb.pi())))))
         return below(first, 10 * asked)
@@ -196,17 +198,17 @@ def _within(a: sympy.Rational, epsilon: int, earliest: sympy.Expr) -> Outcome:
 
 
 def _quotient(a: sympy.Rational, epsilon: int, count: int) -> arb:
-    """|X|/(13) at a turning point, from correctly rounded decimals."""
-    found = _turning_point(str(a), epsilon, count)
-    bracket = 1 + closed_form_ball((a - 1) * mean(a)) * epsilon * arb(found[1])
-    return abs(arb(found[0])) * bracket ** closed_form_ball(1 / (a - 1))
+    """|X|/(13) at a turning point."""
+    x, tau = _turning_point(str(a), epsilon, count)
+    bracket = 1 + closed_form_ball((a - 1) * mean(a)) * epsilon * tau
+    return abs(x) * bracket ** closed_form_ball(1 / (a - 1))
 
 
 @cache
-def _turning_point(exponent: str, epsilon: int, count: int) -> tuple[str, str]:
-    """x and tau of one turning point, as certified decimals."""
-    (found,) = turning_points(Law({exponent: epsilon}), 1, 20, start=count, times=True).points
-    return found.x, str(found.tau)
+def _turning_point(exponent: str, epsilon: int, count: int) -> tuple[arb, arb]:
+    """x and tau of one turning point: all numbers that certified decimals may be rounded from."""
+    (found,) = turning_points(Law({exponent: epsilon}), 1, DIGITS, start=count, times=True).points
+    return ball_of(found.x), ball_of(str(found.tau))
 
 
 @statement(
@@ -313,10 +315,10 @@ def large_strength(form: tuple[str, ...]) -> Outcome:
 
 
 @cache
-def _first_five(exponent: str, epsilon: str) -> tuple[tuple[str, str], ...]:
-    """x and tau of the turning points 1 ... 5, as certified decimals."""
-    table = turning_points(Law({exponent: epsilon}), 6, 20, times=True)
-    return tuple((p.x, str(p.tau)) for p in table.points[1:])
+def _first_five(exponent: str, epsilon: str) -> tuple[tuple[arb, arb], ...]:
+    """x and tau of the turning points 1 ... 5: all numbers that certified decimals may be rounded from."""
+    table = turning_points(Law({exponent: epsilon}), 6, DIGITS, times=True)
+    return tuple((ball_of(p.x), ball_of(str(p.tau))) for p in table.points[1:])
 
 
 def _agrees(exponent: str, epsilon: str) -> Outcome:
@@ -325,6 +327,6 @@ def _agrees(exponent: str, epsilon: str) -> Outcome:
     with ctx.workprec(100):
         power, strength = closed_form_ball(q), closed_form_ball(mean(q + 1) * sympy.Rational(epsilon))
         quotients = [
-            abs(arb(x)) * (1 + power * strength * arb(tau)) ** (1 / power) for x, tau in _first_five(exponent, epsilon)
+            abs(x) * (1 + power * strength * tau) ** (1 / power) for x, tau in _first_five(exponent, epsilon)
         ]
         return all_confirmed(*(below(abs(quotient - 1), arb("0.05")) for quotient in quotients))

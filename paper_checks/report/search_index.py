@@ -27,7 +27,7 @@ def search_index(papers: list[dict[str, Any]], entries: dict[str, Entry]) -> str
 
 
 def _words(s: Searched) -> dict[str, str]:
-    return {"id": s.id, "plain": s.title, "said": s.said, "formula": s.formula, "notes": s.notes, "verdict": ""}
+    return {"id": s.id, "plain": s.title, "said": s.plain_words, "formula": s.formula, "notes": s.notes, "verdict": ""}
 
 
 def _statement(card: dict[str, Any], data: dict[str, Any]) -> dict[str, str]:

@@ -23,7 +23,7 @@ FORCED = [name for name in QUESTIONS if {"--law", "--spring"} <= options_of(name
 MODES = {  # other ways of asking: beside the example, or in the place of its order
     "expand": ["--bound"], "half-swing": ["--delta=1/10"], "turning-points": ["--times"], "motion": ["--reference"],
 }  # fmt: skip
-SAID = {"law": "3:1/7", "spring": "3:1/10", "laws": "2", "springs": "3", "alpha": "5/2", "name": "stops",
+GIVEN_INPUTS = {"law": "3:1/7", "spring": "3:1/10", "laws": "2", "springs": "3", "alpha": "5/2", "name": "stops",
         "best-order": "1/10"}  # fmt: skip
 """Another value of an option, where a number is none."""
 SAME = {  # an option that changes no number of the answer, and why
@@ -104,7 +104,7 @@ def test_each_force_has_an_answer_of_its_own_or_is_refused(name, more, world, ca
 def changed(words, asked, option, value=None):
     """The words with another value of one option."""
     name, integer = f"--{option.name}", asked.kind.schema.get("type") == "integer"
-    value = value or SAID.get(option.name) or ("4" if integer else "1/7")
+    value = value or GIVEN_INPUTS.get(option.name) or ("4" if integer else "1/7")
     out = {"law": ("--alpha", "--epsilon"), "damping": ("--epsilon",)}.get(option.name, ())
     words = [w for w, before in zip(words, ["", *words]) if not {w, before} & {name, *out}]
     return [*words, *([name, value] if option.letter else [name])]

@@ -44,7 +44,7 @@ def judged(arguments, capsys):
 
 def line_of(name, folder, data=None):
     """Its example, with little time."""
-    return [*example(name, folder, data), *(["--max-seconds", "2"] if "--max-seconds" in options_of(name) else [])]
+    return [*example(name, folder, data), *(["--max-seconds", "1/2"] if "--max-seconds" in options_of(name) else [])]
 
 
 def walk(name, flag, words, folder, capsys):

@@ -3,13 +3,14 @@
 import re
 import shlex
 import sys
+from functools import cache
 from html import unescape
 
 import pytest
 
 from asymptotics.ask.registry import QUESTIONS
 from asymptotics.errors import InputError
-from asymptotics.present.page import displayed, told
+from asymptotics.present.page import displayed, paragraphs
 from asymptotics.shell.main import main
 from tests.every_question import example
 
@@ -24,12 +25,16 @@ FULL = {  # with formulas that the examples, which are answered at once, do not 
 FORMULAS = [n for n in QUESTIONS if n not in ("compare", "identify", "sweep", "table", "papers", "smith")]
 
 
-@pytest.fixture
-def page(tmp_path, capsys):
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    """The page of a question, written once."""
+
+    @cache
     def written(name):
-        path = tmp_path / f"{name}.html"
-        words = [name, *shlex.split(FULL[name])] if name in FULL else example(name, tmp_path)
-        assert main([*words, "--html", str(path), "--quiet"]) in (0, 1), capsys.readouterr()
+        folder = tmp_path_factory.mktemp(name)
+        path = folder / f"{name}.html"
+        words = [name, *shlex.split(FULL[name])] if name in FULL else example(name, folder)
+        assert main([*words, "--html", str(path), "--quiet"]) in (0, 1), name
         return path.read_text(encoding="utf-8")
 
     return written
@@ -89,7 +94,8 @@ def test_hostile_text_stays_text(tmp_path, capsys):
 
 
 def test_columns_are_a_table_and_words_are_not():
-    assert told(["a  b", "c  d", "one blank"]).count("<tr>") == 2 and told(["one blank"]) == "<p>one blank</p>"
+    assert paragraphs(["a  b", "c  d", "one blank"]).count("<tr>") == 2
+    assert paragraphs(["one blank"]) == "<p>one blank</p>"
 
 
 def test_without_the_extra_it_is_refused_by_name(monkeypatch):

@@ -71,6 +71,8 @@ CORRUPTIONS = [  # a wrong sign, factor or exponent at a place where the source 
     ("explicit_bound", "-w * p_1 * epsilon * growth**-2", "-p_1 * epsilon * growth**-2"),
     ("explicit_bound", "p_3 / (w * p_1) * (D**2 - D)", "p_3 / (w * p_1) * (D - D**2)"),
     ("explicit_bound", "    R_0 ** (1 + w) / p_1 *", "    R_0**w / p_1 *"),
+    ("quarter_courses", "2 * e**2 * weights", "e**2 * weights"),
+    ("quarter_courses", "{fall: -w, slope: u - N}", "{fall: -w, slope: u + N}"),
     ("one_law_quarter", "5 * T[5] + 10 * sum", "5 * T[5] + 5 * sum"),
     ("one_law_quarter", "sympy.Derivative(R, theta): -s * Y", "sympy.Derivative(R, theta): s * Y"),
     ("cauchy_heine", "    4 * pi**2 * eps1 / (n - 1),", "    2 * pi**2 * eps1 / (n - 1),"),

@@ -69,19 +69,19 @@ def test_the_orbit_in_balls_is_the_closed_form_of_viscous_damping(bits):
 
 
 def test_digits_of_one_precision_hold_at_another():
-    few, many = (asy.response({"3/2": "1/5"}, 1, "4/5", digits=d) for d in (6, 40))
+    few, many = (asy.response({"3/2": "1/5"}, 1, "4/5", digits=d) for d in (6, 25))
     for name in ("amplitude", "x0", "v0", "phase", "energy"):
         assert (
             asy.Coefficient(getattr(few, name), None).ball().overlaps(asy.Coefficient(getattr(many, name), None).ball())
         )
-    assert few.amplitude == str(round(float(many.amplitude), 5)) and len(many.amplitude) == 41
+    assert few.amplitude == str(round(float(many.amplitude), 5)) and len(many.amplitude) == 26
 
 
 def test_every_rung_holds_what_is_above_it():
     """The orbit and the first order at three precisions: each enclosure has those of more bits inside."""
     drive = Drive.read(Oscillator({"3/2": "1/5", 2: "1/10"}), 1, "4/5")
     rungs = []
-    for bits in (64, 96, 128):
+    for bits in (64, 80, 100):
         with ctx.workprec(bits):
             own, balls = orbit(drive), drive.balls()
             waves = [part for n in (1, 3) for part in (own.harmonic(n).real, own.harmonic(n).imag)]
@@ -174,7 +174,7 @@ def test_what_is_not_served_is_told_by_name():
 
 @pytest.mark.parametrize(
     ("law", "force", "omega"),
-    [({2: "1e-30"}, "1/5", 2), ({2: "1/10"}, "1e-30", 1), ({"sqrt(2)": 1, "sqrt(3)": 1, "sqrt(5)": 1}, 1, 1)],
+    [({2: "1e-30"}, "1/5", 2), ({2: "1/10"}, "1e-26", 1), ({"sqrt(2)": 1, "sqrt(3)": 1, "sqrt(5)": 1}, 1, 1)],
 )
 def test_weak_losses_and_many_powers_are_served(law, force, omega):
     """So weak that 53 bits of the contraction see none, doubles no phase; so many powers that few of them must do."""

@@ -15,7 +15,7 @@ from asymptotics.driven.orbit import free_harmonic, orbit
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 
-FEW = pytest.mark.parametrize("count", [6, pytest.param(200, marks=pytest.mark.slow)], ids=["few", "many"])
+FEW = pytest.mark.parametrize("count", [3, pytest.param(200, marks=pytest.mark.slow)], ids=["few", "many"])
 EXPONENTS = {"dry": (0.0,), "dry and drag": (0.0, 1.0, 1.5, 2.0, 3.0), "below 1": (0.1, 0.25, 0.5, 0.75, 0.9)}
 
 
@@ -85,7 +85,7 @@ def test_two_far_starts_end_in_it(law, force, omega):
     found = response(law, force, omega)
     assert found.certified
     for start in ((4 * float(found.amplitude), 0.5), (-1, -3 * float(found.amplitude))):
-        x, v, _, _ = swung(law, force, omega, start, 2 * math.pi / omega * 150)
+        x, v, _, _ = swung(law, force, omega, start, 2 * math.pi / omega * 80)
         off = abs(x - float(found.x0)) + abs(v - float(found.v0))
         assert off < 1e-8
     first = found.first_order  # near miss
@@ -96,7 +96,7 @@ def test_two_far_starts_end_in_it(law, force, omega):
 def test_dry_friction_alone_has_the_amplitude_of_den_hartog(share, omega):
     """(1/(1 - Omega^2))^2 less (c sin(pi/Omega)/(Omega (1 + cos(pi/Omega))))^2, f = 1 (Trans. ASME 53, 1931)."""
     drive = Drive.read(Oscillator({0: share}), 1, omega)
-    with ctx.workprec(250):
+    with ctx.workprec(110):
         found = orbit(drive).amplitude()
         w, c = drive.omega.ball(), drive.friction.strength.ball()
         part = (arb.pi() / w).sin() / (w * (1 + (arb.pi() / w).cos()))
@@ -104,14 +104,14 @@ def test_dry_friction_alone_has_the_amplitude_of_den_hartog(share, omega):
         def exact(c):
             return ((1 / (1 - w**2)) ** 2 - (c * part) ** 2).sqrt()
 
-        assert found.overlaps(exact(c)) and found.rel_accuracy_bits() > 200
-        assert not found.overlaps(exact(c * (1 + arb(2) ** -150)))
+        assert found.overlaps(exact(c)) and found.rel_accuracy_bits() > 60
+        assert not found.overlaps(exact(c * (1 + arb(2) ** -40)))
 
 
 def test_every_rung_holds_what_is_above_it():
     for law in ({0: "1/5", 2: "1/10"}, {0: "1/5", "1/3": "1/20"}):
         rungs = []
-        for bits in (80, 120):
+        for bits in (72, 96):
             with ctx.workprec(bits):
                 own = orbit(Drive.read(Oscillator(law), 1, "4/5"))
                 rungs.append([*own.state(), own.amplitude(), own.harmonic(1).real, own.harmonic(3).imag])

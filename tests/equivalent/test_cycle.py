@@ -7,11 +7,14 @@ from scipy.integrate import solve_ivp
 
 from asymptotics.equivalent.cycle import expanded_swing, full_swing
 from asymptotics.law import Law
+from tests.worlds import worlds_of
 
-LAWS = [
-    ({2: "1/10"}, None), ({"3/2": "1/5"}, None), ({0: "1/20", 1: "1/10"}, None), ({1: "1/2"}, None),
-    ({(1, 2): "1/3"}, None), ({"3/2": "1/10"}, "pendulum"), ({2: "1/10"}, {3: "1/2"}), ({1: "1/10"}, {2: "-1/4"}),
-]  # fmt: skip
+SWINGING = worlds_of(
+    "quadratic", "another rational power", "dry friction beside the linear loss", "linear",
+    "a loss that knows the place", "a pendulum of three halves", "air and a spring x^3",
+    "a loss in a soft kinked spring",
+)  # fmt: skip
+BOUNDED = worlds_of("quadratic", "another rational power", "dry friction", "a sum of powers", "below the linear one")
 
 
 def force_and_energy(law):
@@ -47,9 +50,9 @@ def integrated(law):
     return -np.log(x), 1 - potential(x) / potential(1.0)
 
 
-@pytest.mark.parametrize(("losses", "spring"), LAWS, ids=str)
-def test_the_certified_swing_is_that_of_an_integrator(losses, spring):
-    law = Law(losses, spring=spring)
+@pytest.mark.parametrize("world", SWINGING.values(), ids=SWINGING)
+def test_the_certified_swing_is_that_of_an_integrator(world):
+    law = world.dimensionless
     decrement, share = integrated(law)
     found = full_swing(law, 15)
     assert float(found.decrement) == pytest.approx(decrement, rel=3e-8)
@@ -57,10 +60,10 @@ def test_the_certified_swing_is_that_of_an_integrator(losses, spring):
     assert float(found.decrement) != pytest.approx(decrement * 1.0001, rel=1e-6)
 
 
-@pytest.mark.parametrize("losses", [{2: "1/10"}, {"3/2": "1/10"}, {0: "1/20"}, {1: "1/20", 2: "1/20"}, {"1/2": "1/20"}])
+@pytest.mark.parametrize("world", BOUNDED.values(), ids=BOUNDED)
 @pytest.mark.parametrize("order", [1, 2, 3])
-def test_the_motion_is_within_the_bound_of_order_N(losses, order):
-    law = Law(losses)
+def test_the_motion_is_within_the_bound_of_order_N(world, order):
+    law = world.dimensionless
     truth = full_swing(law, 25)
     cut = expanded_swing(law.terms, [t.strength.ball() for t in law.terms], order)
     with ctx.workprec(100):

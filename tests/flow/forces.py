@@ -10,24 +10,16 @@ from asymptotics.flow.force import Force
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.law import Law
 from asymptotics.numbers.exact import ExactReal, parse_real
+from tests.worlds import WORLDS
 
-LINEAR = {
-    "free": {2: "1e-300"},
-    "linear": {1: "1/5"},
-    "dry": {0: "1/20", "3/2": "1/10"},
-    "sum": {"5/2": 3, 1: "1/2"},
-    "irrational": {"sqrt(2)": "1/3", 2: "1/2"},
-    "root": {"1/2": "1/2"},
-    "steep": {40: "1/10"},
-}
+LINEAR = {  # short names of worlds
+    "free": "next to no loss", "linear": "linear", "dry": "dry friction beside three halves", "sum": "a strong sum",
+    "irrational": "a strong sum with a root of two", "root": "a strong root", "steep": "a steep power",
+}  # fmt: skip
 OTHERS = {
-    "free pendulum": ({2: 0}, "pendulum"),
-    "pendulum": ({"3/2": "1/10"}, "pendulum"),
-    "duffing": ({2: "1/3"}, {3: "1/2"}),
-    "soft, sqrt(2)": ({"sqrt(2)": "1/10"}, {3: "-1/4"}),
-    "place": ({(1, 1): "1/3", "1/2": "1/9"}, {2: "1/4"}),
-    "dry beside springs": ({0: "1/20", (0, 2): "1/30", 3: "1/5"}, {5: 2}),
-}
+    "free pendulum": "a pendulum without loss", "pendulum": "a pendulum of three halves", "duffing": "a hard spring",
+    "soft, sqrt(2)": "a soft spring", "place": "a kinked spring", "dry beside springs": "friction in a steep spring",
+}  # fmt: skip
 
 
 def beside_the_linear_spring(losses, bits: int = 250) -> Damping:
@@ -53,10 +45,10 @@ def by_strength(*terms):
     return Damping.of([(ExactReal(Fraction(e)).ball(), ExactReal(Fraction(a))) for e, a in terms])
 
 
-NOTHING = (("3", "1e-300"),)
+NOTHING = WORLDS["next to no loss"].pairs
 FREE = in_a_well({2: 0})
-WELLS = {name: in_a_well(*given) for name, given in OTHERS.items()}
-FORCES: dict[str, Force] = {name: beside_the_linear_spring(losses) for name, losses in LINEAR.items()} | WELLS
+WELLS = {name: in_a_well(WORLDS[world].law, WORLDS[world].spring) for name, world in OTHERS.items()}
+FORCES: dict[str, Force] = {name: beside_the_linear_spring(WORLDS[world].law) for name, world in LINEAR.items()} | WELLS
 
 
 @dataclass(frozen=True)

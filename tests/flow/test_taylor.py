@@ -7,9 +7,10 @@ import pytest
 from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
+from asymptotics.flow import taylor
 from asymptotics.flow.balls import size_of
 from asymptotics.flow.taylor import TaylorStep, coefficients, discs
-from tests.flow.forces import FORCES, OTHERS
+from tests.flow.forces import FORCES, OTHERS, by_strength
 
 ONE = arb(1)
 
@@ -166,3 +167,18 @@ def test_a_force_that_says_it_is_entire_has_whole_powers(exponent):
 
     with pytest.raises(ArithmeticError, match="not entire"):
         coefficients(Claims(), arb(1), arb(1), 4)
+
+
+@pytest.mark.parametrize("terms", [[("1/10", "3/2")], [("1/9", "1/2"), ("1/7", "7/5")], [("1/5", "1"), ("2", "3/2")]])
+@pytest.mark.parametrize("order", [1, 2, 3, 18, 19])
+def test_the_second_half_of_the_coefficients_is_that_of_the_recurrence(terms, order):
+    """About those of 300 bits, and no wider than four times the recurrence's."""
+    u, w = arb("-0.25"), arb("0.75")
+    with ctx.workprec(300):
+        sharp = taylor._of_real_powers(by_strength(*terms), u, w, order)
+    with ctx.workprec(90):
+        force = by_strength(*terms)
+        found, other = taylor._by_halves(force, u, w, order), taylor._of_real_powers(force, u, w, order)
+        for halves, whole, fine in zip(found, other, sharp, strict=True):
+            for x, y, z in zip(halves, whole, fine, strict=True):
+                assert x.contains(z) and x.rad() <= 4 * y.rad() + abs(y) * arb(2) ** -80

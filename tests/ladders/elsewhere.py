@@ -116,14 +116,18 @@ ELSEWHERE: Names = {
         "return_map.hand_overs", "Bundle.together", "tests/return_map/test_courses.py::test_states_contain_the_pieces"
     ),
     **each(
+        "return_map.half_swings",
+        "HalfSwings.mirrored Quarters.of",
+        "tests/return_map/test_courses.py::test_half_swings_from_the_ends_of_courses_are_those_of_a_map_of_their_own",
+    ),
+    **each(
         "return_map.courses",
-        "Along.of Along.at QuarterCourse.ln_r QuarterCourse.time QuarterCourse.near QuarterCourse.state Courses.up_to "
-        "Courses.quarter",
+        "Along.of Along.at QuarterCourse.ln_r QuarterCourse.time QuarterCourse.near Courses.up_to Courses.quarter",
         "test_states_contain_the_pieces",
     ),
     **each(
         "return_map.course",
-        "Course.of Course.state",
+        "Course.of Course.states",
         "tests/return_map/test_courses.py::test_states_contain_the_pieces",
     ),
     **each("return_map.spectral", "analysis integrals of_the_integral", "test_the_matrices_of_integration"),

@@ -62,7 +62,9 @@ OWN = {
     "::test_the_residual_of_a_half_swing_is_what_it_is_off_by",
     "return_map.panels.Panels.half_swing": "tests/return_map/test_panels.py"
     "::test_the_durations_of_a_map_are_those_of_every_amplitude_within_the_error",
-    "return_map.course.Course.state": "tests/return_map/test_courses.py::test_a_poor_place_on_a_quarter_is_paid_for",
+    "return_map.course.Course._near": "tests/return_map/test_courses.py::test_a_poor_place_on_a_quarter_is_paid_for",
+    "return_map.sequence.OnCourse.all_at": "tests/return_map/test_courses.py"
+    "::test_what_a_start_is_off_by_is_in_a_course",
     "return_map.courses.Along.at": "tests/return_map/test_courses.py"
     "::test_an_uncertain_place_counts_by_markovs_inequality",
     "return_map.courses.Along.of": "tests/return_map/test_courses.py::test_the_radii_of_what_is_kept_count",

@@ -82,7 +82,7 @@ def transit(u0, first, last):
         u = middle - half * mpmath.cos(angle)
         return half * mpmath.sin(angle) / mpmath.sqrt(u + 0.5 - (u0 + 0.5) * mpmath.exp(2 * (u - u0)))
 
-    with mpmath.workdps(40):
+    with mpmath.workdps(25):
         return mpmath.quad(rate, [0, mpmath.pi / 2, mpmath.pi], method="gauss-legendre")
 
 

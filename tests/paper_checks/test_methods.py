@@ -13,7 +13,7 @@ from paper_checks.verdict import Printed
 
 STATEMENTS = load()
 CHECKED = [key for key, entry in STATEMENTS.items() if entry.check and entry.verdict != Printed.OPEN]
-SAMPLE = random.Random("methods").sample(CHECKED, 30)
+SAMPLE = sorted(CHECKED, key=lambda key: random.Random(key).random())[:9]  # a new statement changes one at most
 
 TOOLS = {  # names of what runs, and the functions that are it
     "derivative": r"sympy\.core\.function\.diff",

@@ -169,11 +169,13 @@ def test_sliders_buttons_and_the_second_law_redraw_the_page(browser, page):
     assert browser.get_log("browser") == []
 
 
-@pytest.mark.parametrize("leave", [Keys.ENTER, Keys.TAB])
-@pytest.mark.parametrize(("field", "typed", "drawn"), [
-    ("alpha", "1,5", "--law 1.5:0.2 "), ("alpha", "3/2", "--law 3/2:0.2 "), ("alpha", "12", None),
-    ("epsilon", "100", None), ("epsilon", "7<script>", None), ("epsilon", "1/8", "--law 2:1/8 "), ("time", "", None),
-    ("x0", "0,7", "--x0 0.7 "), ("alpha", "1/0", None), ("alpha", "-1", None), ("alpha", " 0.5 ", "--law 0.5:0.2 "),
+@pytest.mark.parametrize(("field", "typed", "drawn", "leave"), [  # each key: drawn and refused
+    ("alpha", "1,5", "--law 1.5:0.2 ", Keys.ENTER), ("alpha", "3/2", "--law 3/2:0.2 ", Keys.TAB),
+    ("alpha", "12", None, Keys.ENTER), ("alpha", "12", None, Keys.TAB), ("epsilon", "100", None, Keys.TAB),
+    ("epsilon", "7<script>", None, Keys.ENTER), ("epsilon", "1/8", "--law 2:1/8 ", Keys.TAB),
+    ("time", "", None, Keys.ENTER), ("time", "", None, Keys.TAB), ("x0", "0,7", "--x0 0.7 ", Keys.ENTER),
+    ("alpha", "1/0", None, Keys.TAB), ("alpha", "-1", None, Keys.ENTER),
+    ("alpha", " 0.5 ", "--law 0.5:0.2 ", Keys.TAB),
 ])  # fmt: skip
 def test_what_is_typed_is_drawn_or_said_to_be_wrong(browser, page, field, typed, drawn, leave):
     shown(browser, page, "alpha=2&epsilon=0.2")

@@ -1,22 +1,29 @@
-"""The coordinates of laws that are written as (exponent, strength), and their half-swings by pieces."""
+"""Worlds of the return map, the coordinates of laws that are (exponent, strength), their half-swings by pieces."""
 
+import pytest
 from flint import ctx
 
 from asymptotics.flow.damping import Damping
 from asymptotics.numbers.exact import parse_real
 from asymptotics.return_map.coordinate import Coordinate
 from asymptotics.return_map.half_swing_map import integrated
+from tests.worlds import WORLDS
 
-LAWS = [
-    ((("3/2", "1/5"),), 0.0, 0.75, 3.0),
-    ((("1", "1/20"), ("2", "1/5")), 0.0, 0.5, 4.0),
-    ((("2", "1/10"), ("3", "1/30")), 0.0, 0.5, 3.0),
-    ((("1/2", "1/100"),), 0.25, 1.0, 8.0),
-    ((("0", "1/500"), ("1", "1/50"), ("2", "1/10")), 0.25, 0.5, 2.5),
-    ((("sqrt(2)", "1/20"), ("2", "1/20")), 0.25, 0.5, 3.0),
-    ((("0", "1/1000"),), 0.5, 1.0, 8.0),
-    ((("1", "1/7"),), 0.0, 1.0, 1e6),
-]
+PLACES = {  # worlds with the ends of an interval of the coordinate, and how far beyond it a map is known
+    "another rational power": (0.0, 0.75, 3.0),
+    "a sum of powers": (0.0, 0.5, 4.0),
+    "two powers above one": (0.0, 0.5, 3.0),
+    "a weak root": (0.25, 1.0, 8.0),
+    "three weak powers": (0.25, 0.5, 2.5),
+    "a sum with an irrational power": (0.25, 0.5, 3.0),
+    "weak dry friction": (0.5, 1.0, 8.0),
+    "linear": (0.0, 1.0, 1e6),
+}
+
+
+def placed_worlds(*names):
+    """(pairs, low, high, stretch) for ``parametrize``, of all worlds or of these."""
+    return [pytest.param(WORLDS[name].pairs, *PLACES[name], id=name) for name in names or PLACES]
 
 
 def coordinate(pairs):

@@ -5,7 +5,8 @@ import pytest
 from flint import arb
 
 from asymptotics.numbers.exact import parse_real
-from tests.return_map.laws import LAWS, coordinate
+from tests.return_map.laws import coordinate
+from tests.worlds import WORLDS
 
 
 def test_below_exponent_1_no_quarters_are_put_together():
@@ -55,11 +56,12 @@ def test_the_coordinate_of_a_law(exponents, root, powers):
 
 
 @pytest.mark.parametrize(
-    ("pairs", "middle", "half"), [(LAWS[1][0], 0.25, 0.6), (LAWS[4][0], -1.0, 0.9), (LAWS[5][0], -1, 0.5)]
+    ("name", "middle", "half"),
+    [("a sum of powers", 0.25, 0.6), ("three weak powers", -1.0, 0.9), ("a sum with an irrational power", -1, 0.5)],
 )
-def test_the_radii_hold_on_the_ellipse_and_no_less(pairs, middle, half):
+def test_the_radii_hold_on_the_ellipse_and_no_less(name, middle, half):
     """|delta_i| at points of the ellipse, in complex doubles: the largest is the radius."""
-    c = coordinate(pairs)
+    c = coordinate(WORLDS[name].pairs)
     bound = c.bounds(arb(middle), arb(half))
     angles = np.linspace(0, 2 * np.pi, 721)
     z = middle + half * np.cos(angles) + 1j * 0.8 * half * np.sin(angles)

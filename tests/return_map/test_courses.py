@@ -8,6 +8,7 @@ from flint import arb, ctx
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.damping import Damping
+from asymptotics.flow.dense import states
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
 from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.law import Law, Oscillator
@@ -58,8 +59,7 @@ def test_states_contain_the_pieces(pairs):
         with ctx.workprec(bits + 20):
             swing = course(law, PLACE, bits)
             assert swing.begin < times[0] and times[-1] < swing.end
-            for t, (u, w) in zip(times, truth, strict=True):
-                place, speed = swing.state(t)
+            for t, (u, w), (place, speed) in zip(times, truth, swing.states(times), strict=True):
                 assert place.contains(u) and speed.contains(w), (bits, t)
                 assert max(place.rad(), speed.rad()) < arb(2) ** (9 - bits)
 
@@ -132,7 +132,7 @@ def test_hand_overs_at_one_angle_and_what_is_missed_counts(monkeypatch):
         monkeypatch.setattr("asymptotics.return_map.hand_overs._SECANTS", 0)
         rough = Bundle.together(laws)
         assert rough.h == exact.h and rough.dz > arb(2) ** -20
-        w = (hand_overs._hand_over(laws) * arb(-0.25).exp()).mid()
+        w = (hand_overs._hand_over(laws) / hand_overs._LATER * arb(-0.25).exp()).mid()
         missed = max((abs(_Start.of(*one, arb(HAND_OVERS[0])).at(w)[0] - exact.h[0]) for one in laws), key=float)
         assert 2 * missed <= rough.dz < arb("2.001") * missed
 
@@ -143,22 +143,34 @@ def test_a_poor_place_on_a_quarter_is_paid_for(monkeypatch):
     with ctx.workprec(84):
         honest = course(law, PLACE, 60)
         t = (honest.centre - arb(2) ** -10).mid()
-        place, _ = honest.state(t)
+        ((place, _),) = honest.states([t])
         first = honest.before.near
 
         class Poor:
-            state, time = honest.before.state, honest.before.time
-            near = staticmethod(lambda s: first(s - e))
+            time = honest.before.time
+            near = staticmethod(lambda times: first([s - e for s in times]))
 
         poor = replace(honest, before=Poor())
-        wrong, _ = poor.state(t)
+        ((wrong, _),) = poor.states([t])
         missed = abs(wrong.mid() - place)
         assert missed <= wrong.rad() and wrong.rad() / 2 < missed
         # At rest it is the speed that changes most.
         t = (honest.begin + e).mid()
-        (_, w), (_, wrong) = honest.state(t), poor.state((t + 2 * e).mid())
-        drift = abs(honest.state((t + 2 * e).mid())[1].mid() - wrong.mid())
+        ((_, w),), ((_, wrong),) = honest.states([t]), poor.states([(t + 2 * e).mid()])
+        drift = abs(honest.states([(t + 2 * e).mid()])[0][1].mid() - wrong.mid())
         assert w < wrong + 3 * e and drift <= wrong.rad() and wrong.rad() / 2 < drift
+
+
+def test_an_uncertain_time_moves_a_state_by_its_width():
+    """At the centre by nearly p times half the width: both ends are held, and half of the radius is refuted."""
+    law, e = coordinate((("2", "1/100"),)), arb(2) ** -20
+    with ctx.workprec(84):
+        swing = course(law, PLACE, 60)
+        t = (swing.centre - arb(2) ** -10).mid()
+        ((wide, w),) = swing.states([arb(t, e)])
+        for end in ((t - e).mid(), (t + e).mid()):
+            ((place, speed),) = swing.states([end])
+            assert wide.contains(place) and w.contains(speed) and wide.rad() / 2 < abs(wide.mid() - place)
 
 
 def test_what_a_way_is_off_by_is_in_what_is_read_off():
@@ -169,9 +181,11 @@ def test_what_a_way_is_off_by_is_in_what_is_read_off():
         (growth, _), (clock, _) = honest.growth, honest.clock
         wrong = replace(honest, growth=(growth + e, e * arb("1.001")), clock=(clock + e, e * arb("1.001")))
         assert wrong.ln_r(t).contains(honest.ln_r(t).mid()) and wrong.time(t).contains(honest.time(t).mid())
-        place, time = wrong.near(honest.time(t).mid())
-        assert time.contains(honest.time(place).mid())
-        assert max(wrong.ln_r(t).rad(), wrong.time(t).rad(), time.rad()) < 2 * e
+        s = honest.time(t).mid()
+        ((x, y, time),) = wrong.near([s])  # at the t whose true time is s - e
+        ((true_x, true_y, _),) = honest.near([(s - e).mid()])
+        assert time.contains(s - e) and x.contains(true_x) and y.contains(true_y)
+        assert max(wrong.ln_r(t).rad(), wrong.time(t).rad(), time.rad(), x.rad(), y.rad()) < 2 * e
 
 
 def test_the_radii_of_what_is_kept_count():
@@ -188,6 +202,40 @@ def test_a_course_begins_where_the_local_expansion_still_reaches():
         assert flow.read_off(arb(1), SimpleNamespace(end=found.begin / 2), arb(0)) is None
 
 
+def test_states_at_uncertain_times_hold_both_ends():
+    """Of a course that is read off, at t +- e near the centre: the place moves by nearly e either way."""
+    law, e, t = Law({"3/2": "1/10"}), arb(2) ** -30, arb(1501) / 1000
+    with ctx.workprec(90):
+        flow = Interpolated(Damping.of_law(law), panels_of(law, 90), within=100)
+        ((wide, _),) = states(flow, arb(1), arb(0), [arb(t.mid(), e)])
+        ends = [states(flow, arb(1), arb(0), [time])[0][0] for time in ((t - e).mid(), (t + e).mid())]
+        assert all(wide.contains(end) for end in ends) and abs(ends[0] - ends[1]) > wide.rad()
+
+
+def test_what_a_start_is_off_by_is_in_a_course():
+    """The orbits from 1 and 1 + e: at the hand-over they are still nearly e apart."""
+    law, e = Law({"3/2": "1/10"}), arb(2) ** -30
+    with ctx.workprec(90):
+        flow = Interpolated(Damping.of_law(law), panels_of(law, 90), within=100)
+        one, other = (flow.read_off(p, SimpleNamespace(end=arb("0.5")), e) for p in (arb(1), 1 - e))
+        for t in (arb("0.125"), arb(1)):
+            ((u, w),), (place, speed) = one.all_at([t]), other.own(t)
+            assert u.contains(place) and w.contains(speed) and u.rad() < e * arb("1.001")
+        assert abs(one.own(arb("0.125"))[0] - other.own(arb("0.125"))[0]) > e / 2
+
+
+def test_half_swings_from_the_ends_of_courses_are_those_of_a_map_of_their_own():
+    law = coordinate((("3/2", "1/5"),))
+    for bits in (10, 40):
+        swings = Courses.up_to(law, arb("0.5"), bits).swings
+        assert swings.holds(arb("0.4999")) and not swings.holds(arb("0.5"))
+        with ctx.workprec(110):
+            for z in (PLACE, arb("0.125")):
+                sharp = HalfSwings.up_to(law, arb("0.5"), 90)(z)
+                for rough, fine in zip(swings(z), sharp, strict=True):
+                    assert rough.contains(fine) and rough.rad() < arb(2) ** (6 - max(bits, 30))
+
+
 def test_an_amplitude_beyond_the_courses_is_refused():
     courses = Courses.up_to(coordinate((("2", "1/5"),)), arb("0.5"), 30)
     with pytest.raises(UndecidedError, match="outside the interval"):
@@ -202,8 +250,8 @@ def test_a_law_without_a_mirrored_quarter_has_no_courses(pairs):
 
 def test_states_in_many_half_swings_are_those_by_pieces(monkeypatch):
     """Asked in 50 half-swings, from rest and in motion: the same motion, and the course is what serves."""
-    seen, honest = [], Course.state
-    monkeypatch.setattr(Course, "state", lambda self, t: seen.append(t) or honest(self, t))
+    seen, honest = [], Course.states
+    monkeypatch.setattr(Course, "states", lambda self, times: seen.extend(times) or honest(self, times))
     for law, v0 in ((Law({"3/2": "1/10"}), 0), (Law({3: "1/2"}), 1), (Law({2: 5}), 0)):
         system = Oscillator(law, v0=v0)
         times = [ExactReal(k) for k in range(160)]

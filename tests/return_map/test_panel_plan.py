@@ -15,7 +15,8 @@ from asymptotics.return_map import panel_plan
 from asymptotics.return_map.chebyshev import cut
 from asymptotics.return_map.panel_plan import between, farthest, from_zero, path, pieces_from_zero, verified, widest
 from asymptotics.return_map.panels import Panels
-from tests.return_map.laws import LAWS, by_pieces, coordinate
+from tests.return_map.laws import PLACES, by_pieces, coordinate
+from tests.worlds import WORLDS
 
 
 def complex_half_swing(c, z):
@@ -33,10 +34,10 @@ def complex_half_swing(c, z):
     return solve_ivp(slope, (0, np.pi), [0j, 0j], rtol=1e-8, atol=1e-9).y[:, -1]
 
 
-@pytest.mark.parametrize(("pairs", "middle", "half"), [(LAWS[1][0], 0.5, 1.0), (LAWS[4][0], -1.0, 1.2)])
-def test_the_half_swing_at_complex_strengths_obeys_the_bounds(pairs, middle, half):
+@pytest.mark.parametrize(("name", "middle", "half"), [("a sum of powers", 0.5, 1.0), ("three weak powers", -1.0, 1.2)])
+def test_the_half_swing_at_complex_strengths_obeys_the_bounds(name, middle, half):
     """|q/p - 1| and |T - pi| on the ellipse by an ordinary integrator in complex numbers: below, and not far below."""
-    c = coordinate(pairs)
+    c = coordinate(WORLDS[name].pairs)
     ellipse = verified(c, arb(middle), arb(half), 1.0001)
     largest = [0.0, 0.0]
     for angle in np.linspace(0, 2 * np.pi, 13):
@@ -97,17 +98,17 @@ def test_what_half_swings_are_worth_counts_those_before_the_panel():
     )
 
 
-@pytest.mark.parametrize("case", [0, 1, 2, 3, 6])
-def test_the_reach_in_doubles_is_that_of_the_majorant(case):
-    c = coordinate(LAWS[case][0])
+@pytest.mark.parametrize("name", [*list(PLACES)[:4], "weak dry friction"])
+def test_the_reach_in_doubles_is_that_of_the_majorant(name):
+    c = coordinate(WORLDS[name].pairs)
     reach = panel_plan.reach_of(c)
     assert c.bounds(arb(0), arb(0.95 * reach)) is not None and c.bounds(arb(0), arb(1.05 * reach)) is None
 
 
-@pytest.mark.parametrize("case", [4, 5])
-def test_the_stretch_in_doubles_is_that_of_the_majorant(case):
-    pairs, low, high, _ = LAWS[case]
-    c = coordinate(pairs)
+@pytest.mark.parametrize("name", ["three weak powers", "a sum with an irrational power"])
+def test_the_stretch_in_doubles_is_that_of_the_majorant(name):
+    low, high, _ = PLACES[name]
+    c = coordinate(WORLDS[name].pairs)
     first, last = sorted(float(c(arb(p))) for p in (low, high))
     axis = widest(c, (first + last) / 2, (last - first) / 2) * (last - first) / 2
     middle = arb((first + last) / 2)

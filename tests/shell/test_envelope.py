@@ -4,6 +4,7 @@ import csv
 import json
 import math
 
+import mpmath
 import pytest
 import sympy
 
@@ -76,10 +77,11 @@ def test_the_envelope_of_sums_extinction_and_certified_digits_at_irrational_expo
     assert (squaring["extinction"], squaring["phase"]) == ("12.894", None)
 
 
+@pytest.mark.parametrize("averaging", ["", "--squaring"])
 @pytest.mark.parametrize(("one", "other"), PAIRS)
-def test_the_time_formula_is_the_inverse_of_the_certified_amplitude(capsys, one, other):
+def test_the_time_formula_is_the_inverse_of_the_certified_amplitude(capsys, one, other, averaging):
     """tau(A(5)) = 5: the kappas of the formula are the printed ones, also where one is 0 or the order is turned."""
-    found = answer(capsys, f"envelope --law {one} --law {other} --time 5 --digits 20")
+    found = answer(capsys, f"envelope --law {one} --law {other} --time 5 --digits 20 {averaging}")
     names = {f"kappa_{i}": sympy.Float(k, 20) for i, k in enumerate(found["kappas"], start=1)}
     formula = sympy.sympify(found["time_formula"])
 
@@ -217,3 +219,44 @@ def test_the_header_says_what_the_table_depends_on(capsys, tmp_path):
     target.write_text(target.read_text().replace("[envelope", "[motion"))
     code, _, err = run(capsys, f"compare {target}")
     assert code == 2 and "names no command that is asked again" in err
+
+
+def test_the_rates_that_are_printed_are_those_of_the_averaging(capsys):
+    """1/(1 + kappa tau) of either averaging is its amplitude; the kappa of the other one is off by a fifth."""
+    values = {}
+    for averaging in ("", "--squaring"):
+        found = answer(capsys, f"envelope --alpha 2 --epsilon 1/10 --time 10 --digits 15 {averaging}")
+        values[averaging] = float(found["kappas"][0])
+        assert float(found["amplitude"]) == pytest.approx(1 / (1 + 10 * values[averaging]), rel=1e-14)
+    assert values["--squaring"] == pytest.approx(0.1 / 8**0.5, rel=1e-14)  # Lelas 2024: <sin^2>^(3/2)
+    assert values[""] / values["--squaring"] == pytest.approx(1.2004, abs=1e-4)
+
+
+def test_ties_of_the_squaring_trick_are_rounded_as_exact_numbers():
+    kappas = asy.envelope({3: "1/8", 1: "3"}, averaging="squaring").kappas(digits=2)
+    assert kappas == ("0.031", "1.5")  # 1/32 = 0.03125
+    assert asy.envelope({1: "0.25"}, averaging="squaring").kappas(digits=2) == ("0.12",)  # 0.125, to even
+    assert asy.envelope({2: "sqrt(2)"}, averaging="squaring").kappas(digits=2) == ("0.50",)  # sqrt(2) 2^(-3/2)
+
+
+def test_the_squaring_trick_has_no_phase_and_no_motion():
+    for ask in (lambda e: e.phase(3), lambda e: e.sample([3.0])):
+        ask(asy.envelope({2: "1/10"}))
+        with pytest.raises(asy.InputError, match="averaging.*squaring gives an amplitude alone"):
+            ask(asy.envelope({2: "1/10"}, averaging="squaring"))
+
+
+SI = "--alpha 2 --damping 1/10 --mass 3/2 --stiffness 30 --x0 1/5"
+
+
+@pytest.mark.parametrize(("line", "length", "rate"), [("--alpha 2 --epsilon 1/10", 1, 1), (SI, "1/5", "sqrt(20)")])
+def test_every_digit_of_an_order_is_that_of_its_formula(capsys, line, length, rate):
+    """45 digits, beside mpmath's value of the printed formula and those of the solution; a double ends at the 17th."""
+    found = answer(capsys, f"envelope {line} --time 7 --order 3 --digits 45")
+    other = answer(capsys, f"solution {line} --time 7 --order 3 --digits 45")
+    assert (found["amplitude"], found["phase"]) == (other["amplitude_value"], other["phase_value"])
+    with mpmath.workdps(60):
+        epsilon, length = (mpmath.mpf(1) / (10 if rate == 1 else 75), mpmath.mpf(sympy.N(length, 60)))
+        u = 1 + 4 * epsilon * 7 * mpmath.mpf(sympy.N(rate, 60)) / (3 * mpmath.pi)
+        A = length * (1 + epsilon**2 * (1 / u**2 - 1 / u) / 90) / u
+        assert abs(mpmath.mpf(found["amplitude"]) - A) < mpmath.mpf(10) ** -45

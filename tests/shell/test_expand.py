@@ -73,7 +73,7 @@ def test_expand_symbolic(capsys):
         ("expand --law 1 --law 2 --law 3 --law 4 --law 5", "--law"),
         ("expand --alpha 2 --order 0", "--order"),
         ("expand --alpha 2 --order 1000000", "--order"),
-        ("expand --alpha 3/2 --order 190", "--order"),
+        ("expand --alpha 3/2 --order 200 --digits 1000", "--max-seconds"),
         ("expand --alpha 2 --gauge energy", "--gauge"),
         ("expand --alpha 3/2 --exact", "--exact"),
         ("expand --alpha symbolic --order 5", "--order"),

@@ -53,7 +53,7 @@ def test_a_request_that_outgrows_its_memory_is_one_line(tmp_path):
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, pytest.param(signal.SIGINT, marks=pytest.mark.slow)])
 def test_a_signal_ends_it(number):
-    line = "turning-points --alpha 3/2 --epsilon 1 --count 50000 --digits 200"
+    line = "turning-points --alpha 3/2 --epsilon 1 --count 50000 --digits 200 --max-seconds 600"
     with subprocess.Popen([*PROGRAM, *line.split()], cwd=ROOT, preexec_fn=limited(400), stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True, env={**os.environ}) as process:  # fmt: skip
         time.sleep(4)

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from asymptotics.curves.solution import solution
+from asymptotics.curves.solve import solution
 from asymptotics.law import Oscillator
 from asymptotics.made_by import mark
 from tests.shell.answers import answer, run

@@ -14,8 +14,15 @@ from asymptotics.law import Oscillator
 from asymptotics.numbers.digits import ends
 from asymptotics.testing.check_certificate import RefusedError, follow, piece, shaped
 from tests.certificates.truth import oscillator_of
+from tests.worlds import worlds_of
 
-LAWS = [{2: "1/10"}, {1: "1/10"}, {0: "1/10", 2: "1/10"}, {0: "1/20"}, {"3/2": "3/10"}, {3: 2}, {1: "3/2"}]
+LAWS = [
+    world.law
+    for world in worlds_of(
+        "quadratic", "linear", "a sum with dry friction", "dry friction", "another rational power", "a strong cube",
+        "a loss next to the critical one",
+    ).values()
+]  # fmt: skip
 EASY = Fraction(1, 3)
 
 

@@ -14,13 +14,15 @@ from asymptotics.turning.choose import turning_points
 from asymptotics.turning.energy_primitive import PrimitiveWell, swings
 from asymptotics.turning.routes.stepping import METHOD
 from tests.second_route.forced import drag_turning_points
+from tests.worlds import WORLDS
 
-LAWS = {
-    "pendulum in air": (Law({2: "1/10"}, spring="pendulum"), "2.967", np.sin),
-    "hardening, both losses": (Law({2: "1/10", 0: "1/50"}, spring={3: "1/2"}), "1", lambda x: x + x**3 / 2),
-    "softening, dry": (Law({0: "1/20"}, spring={3: "-1/2"}), "1", lambda x: x - x**3 / 2),
-    "x|x|": (Law({2: "1/3"}, spring={2: "1/4"}), "3/2", lambda x: x + x * abs(x) / 4),
+STARTS = {  # worlds, each with a start and its springs in doubles
+    "a pendulum in air": ("2.967", np.sin),
+    "air and friction in a hard spring": ("1", lambda x: x + x**3 / 2),
+    "friction in a soft spring": ("1", lambda x: x - x**3 / 2),
+    "air in a kinked spring": ("3/2", lambda x: x + x * abs(x) / 4),
 }
+PENDULUM, SOFT = (WORLDS[name].dimensionless for name in ("a pendulum in air", "friction in a soft spring"))
 
 
 def exact(text):
@@ -45,8 +47,9 @@ def swing(well, x):
     return [next(points)[0], next(points)[0]]
 
 
-@pytest.mark.parametrize(("law", "x0", "force"), LAWS.values(), ids=LAWS)
-def test_against_an_integrator(law, x0, force):
+@pytest.mark.parametrize("name", STARTS)
+def test_against_an_integrator(name):
+    law, (x0, force) = WORLDS[name].dimensionless, STARTS[name]
     points = [float(p.x) for p in drag_turning_points(law, exact(x0), 5, 15).points]
     for here, after in zip(points, points[1:]):
         side = 1 if here > 0 else -1
@@ -55,7 +58,7 @@ def test_against_an_integrator(law, x0, force):
 
 def test_the_pendulum_keeps_its_function():
     """(cos x + 2 eps sin x) e^(-2 eps x) at a and -q, and a wrong factor would be seen."""
-    table = drag_turning_points(LAWS["pendulum in air"][0], exact("2.967"), 2, 40)
+    table = drag_turning_points(PENDULUM, exact("2.967"), 2, 40)
     with ctx.workprec(200):
         a, b = (arb(p.x) for p in table.points)
 
@@ -85,17 +88,17 @@ def test_a_pendulum_in_other_units_of_length_is_the_same_pendulum():
 
 
 def test_a_ball_is_mapped_to_a_ball_that_contains_it():
-    law = LAWS["pendulum in air"][0]
+    law = PENDULUM
     short, long = (drag_turning_points(law, exact("2"), 12, d) for d in (10, 40))
     for p, q in zip(short.points, long.points):
         assert abs(arb(p.x) - arb(q.x)) <= abs(arb(q.x)) * arb(10) ** -9 / 2
 
 
 def test_dry_friction_holds_where_the_force_is_at_most_the_friction():
-    table = drag_turning_points(LAWS["softening, dry"][0], exact("1"), 40, 20)
+    table = drag_turning_points(SOFT, exact("1"), 40, 20)
     assert table.ended == {"n": len(table.points) - 1, "reason": "sticks"}
     with ctx.workprec(100):
-        well = PrimitiveWell.of(LAWS["softening, dry"][0])
+        well = PrimitiveWell.of(SOFT)
         assert (
             well.force.spring_force(abs(arb(table.points[-1].x)))
             < well.dry

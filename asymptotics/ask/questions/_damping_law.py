@@ -20,11 +20,12 @@ from asymptotics.decays.comparison.run import Comparison
 from asymptotics.decays.identification.damping_table import law_of_table
 from asymptotics.decays.identification.found_law import DampingLaw
 from asymptotics.errors import InputError
-from asymptotics.law import PENDULUM, SpringLike
+from asymptotics.law import SpringLike
 from asymptotics.numbers.exact import ExactReal, parse_rational
 from asymptotics.numbers.policy import Number
 from asymptotics.present.inputs import csv_text, option_words, with_words
 from asymptotics.running.cut_short import changed
+from asymptotics.terms_given import PENDULUM
 
 TABLE = Kind("FILE", lambda table, _: table, option="from", group="the data")
 LAWS = Kind("LAW", lambda laws, _: laws, words=True, several=True)

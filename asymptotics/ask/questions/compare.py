@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
-from asymptotics.ask.against import SAID, Beside, Said, beside
+from asymptotics.ask.against import GIVEN_INPUTS, Beside, GivenInputs, beside
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import SECONDS, TEXT, Kind, digits
 from asymptotics.ask.question import question
@@ -43,7 +43,7 @@ def _held_against(request: Request) -> Beside:
 
 
 def _named(found: Comparison, request: Request) -> dict[str, Any]:
-    return {"law" if request["table"] is None else "table": _held_against(request).told, **found.to_dict()}
+    return {"law" if request["table"] is None else "table": _held_against(request).description, **found.to_dict()}
 
 
 @question(
@@ -54,7 +54,7 @@ def _named(found: Comparison, request: Request) -> dict[str, Any]:
         again=None,
         certificate=lambda found, _: found.certificate(),
         data=_named,
-        text=lambda found, request: told(found, _held_against(request).told),
+        text=lambda found, request: told(found, _held_against(request).description),
         missing=lambda found, _: (len({row.line for row in found.rows}), found.summary["missing"]),
         lacks={
             "gauge": "what is observed is the same in every gauge",
@@ -67,7 +67,7 @@ def _named(found: Comparison, request: Request) -> dict[str, Any]:
 )
 def compare(
     file: Annotated[Any, SOURCE],
-    law: Annotated[LawLike | None, SAID] = None,
+    law: Annotated[LawLike | None, GIVEN_INPUTS] = None,
     *,
     table: Annotated[str | None, TEXT.called(read=_table)] = None,
     columns: Annotated[str | None, TEXT.called(letter="LIST", group="the data")] = None,
@@ -130,5 +130,5 @@ def compare(
     >>> compare({"n": [1, 2], "x": [-0.4107197, 0.2635711]}, {2: 1}).rows[1].marked
     '0.26357[11]'
     """
-    said = law if isinstance(law, Said) else Said(law, alpha=alpha, epsilon=epsilon)
+    said = law if isinstance(law, GivenInputs) else GivenInputs(law, alpha=alpha, epsilon=epsilon)
     return beside(file, said, table, columns, digits).make()

@@ -126,7 +126,7 @@ def _of_the_motion(rows: list[tuple[str, ...]], header: tuple[str, ...]) -> list
 
 
 AGAIN = Again(
-    keys=("part", "amplitude"), apart=frozenset(("remark", "bound of zeta log")), rows=_of_the_motion
+    keys=("part", "amplitude"), not_judged=frozenset(("remark", "bound of zeta log")), rows=_of_the_motion
 )  # an amplitude is what a row is found by here, and a value to be judged elsewhere
 
 
@@ -164,7 +164,7 @@ def damping(
     law: Annotated[LawLike | Oscillator | str, LOSING],
     amplitudes: Annotated[Number | Sequence[Number] | None, AMPLITUDES] = None,
     *,
-    order: Annotated[int | None, whole(1, MAX_ORDER).called(told=f": 1 to {MAX_ORDER}")] = None,
+    order: Annotated[int | None, whole(1, MAX_ORDER).called(suffix=f": 1 to {MAX_ORDER}")] = None,
     digits: Annotated[int, digits(MAX_DIGITS)] = 12,
     motion: Annotated[bool, FLAG.called(in_shell=False)] = True,
     spring: SpringLike | None = None,

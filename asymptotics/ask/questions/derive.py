@@ -131,6 +131,11 @@ def derive(
     max_seconds
         the time the request may take, in seconds
 
+    Returns
+    -------
+    Derivation
+        which shows its lines as text, ``latex()`` and in a notebook; without a name the list of names
+
     Raises
     ------
     InputError

@@ -84,7 +84,7 @@ def _text(found: EnvelopeAtTime, request: Request) -> str:
     lines += [told.format(formulas[name]) for name, told in _ENDS.items() if formulas[name] is not None]
     lines += [f"kappa_{i}    {kappa}" for i, kappa in enumerate(found.kappas, start=1)]
     values = {name: getattr(found, name) for name in _TOLD}
-    lines += [f"{n:10} {given.frame.told(n, text)}" for n, text in values.items() if text is not None]
+    lines += [f"{n:10} {given.frame.with_unit(n, text)}" for n, text in values.items() if text is not None]
     claim = "certified: true (for the averaged law)"
     if found.series is not None:
         lines.append(f"epsilon    {acting_term(given.oscillator).strength}")

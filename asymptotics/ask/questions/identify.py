@@ -84,9 +84,9 @@ RUNS = Kind(
 )  # fmt: skip
 BESIDE = Kind("", lambda value, _: value, words=True, in_shell=False)
 KIND = TEXT.called(
-    letter="KIND", group=_DATA, told=f": {', '.join((*KINDS, DAMPING))}; default: found from the columns"
+    letter="KIND", group=_DATA, suffix=f": {', '.join((*KINDS, DAMPING))}; default: found from the columns"
 )
-UNIT = TEXT.called(letter="U", group=_DATA, told=f": {', '.join(UNITS)}; with milliseconds: mm,ms")
+UNIT = TEXT.called(letter="U", group=_DATA, suffix=f": {', '.join(UNITS)}; with milliseconds: mm,ms")
 WORDS = Kind("LAW", lambda words, _: words, words=True, several=True)
 BOOTSTRAP = Kind(
     "", FLAG.read, assemble=_kept,
@@ -95,11 +95,13 @@ BOOTSTRAP = Kind(
 
 
 def _csv(found: Identification | DampingLaw, _: Request) -> str:
-    """All candidate laws, best first: a row for each strength, both ends of its interval as columns."""
+    """All candidate laws, best first: a row for each strength, both ends of its interval as columns; then Q(A), T(A)
+    and what else is told before any law."""
     if isinstance(found, DampingLaw):
         return csv_text(STRENGTHS, rows_of_strengths(found))
-    columns = found._table()
-    return csv_text(list(columns), zip(*columns.values()))
+    columns = found._table() or dict.fromkeys(("law", "verdict", "parameter", "estimate", "low", "high"), [])
+    bare = [[row.get(name, "") for name in columns] for row in found._bare_rows()]
+    return csv_text(list(columns), [*zip(*columns.values()), *bare])
 
 
 def _drawn(found: Identification | DampingLaw, request: Request) -> list[Any]:

@@ -44,7 +44,7 @@ def _latex(found: Coefficient, request: Request) -> str:
     rests="balls (`certified_zero`: exact where it is rational)",
 )
 def moment(
-    p: Annotated[Number, REAL.called(letter="P", told=f", at most {MAX_P}")],
+    p: Annotated[Number, REAL.called(letter="P", suffix=f", at most {MAX_P}")],
     *,
     digits: Annotated[int, digits(MAX_DIGITS)] = 30,
     max_seconds: Annotated[Number, SECONDS] = 60,

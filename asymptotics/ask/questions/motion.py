@@ -61,9 +61,9 @@ def _data(found: MotionAtTime, request: Request) -> dict[str, Any]:
 def _text(found: MotionAtTime, request: Request) -> str:
     frame, point = _given(request).frame, found.point
     values = {name: getattr(point, name) for name in _TOLD}
-    lines = [f"{name:9}  {frame.told(name, value)}" for name, value in values.items() if value is not None]
+    lines = [f"{name:9}  {frame.with_unit(name, value)}" for name, value in values.items() if value is not None]
     if found.bound is not None:
-        lines.append(f"bound      {frame.told('bound', found.bound)} (proved: |x - x_N| is at most this)")
+        lines.append(f"bound      {frame.with_unit('bound', found.bound)} (proved: |x - x_N| is at most this)")
     lines += [f"proved for x_N before rounding: {found.uniform_bound}"] if found.uniform_bound is not None else []
     lines += [str(found.best_order)] if found.best_order is not None else []
     order = "" if point.order is None or request["reference"] else f", order {point.order}, gauge {point.gauge}"
@@ -87,7 +87,11 @@ def _rows_done(rows: Any, request: Request) -> tuple[str, int, str] | None:
         return None
     frame = _given(request).frame
     errors = of_motion(Reference(_given(request).oscillator, frame=frame), rows)
-    return with_errors(rows.to_csv(), errors), len(rows.t), f"{frame.time} > {frame.told('t', repr(float(rows.t[-1])))}"
+    return (
+        with_errors(rows.to_csv(), errors),
+        len(rows.t),
+        f"{frame.time} > {frame.with_unit('t', repr(float(rows.t[-1])))}",
+    )
 
 
 def _drawn(found: MotionAtTime, request: Request) -> list[Any]:

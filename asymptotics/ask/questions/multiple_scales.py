@@ -129,7 +129,7 @@ def _typed(request: Request) -> None:
         raise InputError("--law", "cannot be combined with --alpha symbolic", "one symbolic exponent, and springs")
 
 
-_ORDER = whole(1, MAX_ORDER).called(told=f" (1 to {MAX_ORDER}, to 12 unless exponents are integers")
+_ORDER = whole(1, MAX_ORDER).called(suffix=f" (1 to {MAX_ORDER}, to 12 unless exponents are integers")
 _FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to draw"
 
 
@@ -153,7 +153,7 @@ def derived(
     law: Annotated[LawLike, _LAW],
     *,
     order: Annotated[int, _ORDER] = 2,
-    gauge: Annotated[str | None, choice(*GAUGES, letter="GAUGE").called(told="")] = None,
+    gauge: Annotated[str | None, choice(*GAUGES, letter="GAUGE").called(suffix="")] = None,
     map: Annotated[bool, FLAG] = False,  # noqa: A002 (the word of the command)
     start: Annotated[bool, FLAG] = False,
     phase: Annotated[Number | None, REAL.called(letter="PSI")] = None,
@@ -268,10 +268,10 @@ def _strengths(given: TermsInUnits, scales: MultipleScales) -> dict[str, str]:
     """The strengths that were given, by the letters of the derivation."""
     if isinstance(given.terms, str):
         return {} if given.epsilon is None else {"epsilon": str(given.epsilon)}
-    return _told(given.terms, scales) if given.terms.known else {}
+    return _strengths_given(given.terms, scales) if given.terms.known else {}
 
 
-def _told(given: GivenTerms, scales: MultipleScales) -> dict[str, str]:
+def _strengths_given(given: GivenTerms, scales: MultipleScales) -> dict[str, str]:
     told: dict[str, str] = {}
     for letter, sign in (("epsilon", -1), ("c", 1)):
         # A pendulum has the angle theta_0 for its letter, which no strength is told of.

@@ -64,7 +64,7 @@ class Looked:
         lines = []
         for key, found in (self.outcomes or {}).items():
             lines.append(f"{key}: " + ", ".join(f"{name} {outcome}" for name, outcome in found["outcomes"].items()))
-            lines += [f"  near miss: {_told(found['apart'])}"] if found["apart"] else []
+            lines += [f"  near miss: {_sides(found['apart'])}"] if found["apart"] else []
         last = f"disagrees: {', '.join(self.failed)}" if self.failed else "the verdicts are borne out"
         return "\n".join([*lines, last])
 
@@ -138,7 +138,7 @@ def _in_full(s: PaperStatement) -> str:
     return "\n".join(lines)
 
 
-def _told(apart: dict[str, Any]) -> str:
+def _sides(apart: dict[str, Any]) -> str:
     """The two sides that differ, by their values where there are any."""
     left, right = (in_line(value or side) for value, side in zip(apart["values"], (apart["left"], apart["right"])))
     place = f" at {in_line(apart['where'])}" if apart["where"] else ""
@@ -174,7 +174,9 @@ _KINDS = ", ".join(f"{name} {said}" for name, said in SHORTFALLS.items())
 def papers(
     query: Annotated[str | Sequence[str], WHAT] = "",
     *,
-    verdict: Annotated[str | None, choice(*VERDICTS, *SHORTFALLS, letter="VERDICT").called(told=f"; {_KINDS}")] = None,
+    verdict: Annotated[
+        str | None, choice(*VERDICTS, *SHORTFALLS, letter="VERDICT").called(suffix=f"; {_KINDS}")
+    ] = None,
     check: Annotated[bool, FLAG] = False,
     max_seconds: Annotated[Number, SECONDS] = 60,
 ) -> Looked:

@@ -1,8 +1,9 @@
 """The response to a harmonic force: first order closed, and the one periodic orbit, certified."""
 
-from typing import TYPE_CHECKING, Annotated, Any, cast
+from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated, cast
 
-from asymptotics.ask.answers import Offers, Request
+from asymptotics.ask.answers import Offers
 from asymptotics.ask.kinds import REAL, SECONDS, digits
 from asymptotics.ask.laws import moving
 from asymptotics.ask.question import question
@@ -17,16 +18,11 @@ if TYPE_CHECKING:
 DRIVEN = moving("its strength, in units m = k = 1", springs=False, start=())
 
 
-def _data(found: Response, request: Request) -> dict[str, Any]:
-    return {**found.to_dict(), "units": cast("Given", request["law"]).frame.units}
-
-
 @question(
     Offers(
         latex="print the first harmonic as LaTeX",
         picture="amplitude and phase of first order against Omega, the backbone of the free decay, and the response",
         table="the numbers",
-        data=_data,
         equation=lambda found, _: found._equation(),
         lacks={"gauge": "what is observed is the same in every gauge", "points": "the answer is no curve"},
     ),
@@ -93,4 +89,5 @@ def response(
     >>> found.amplitude, found.phase, found.first_order.amplitude, found.certified
     ('1.535518147', '1.576756652', '1.534990062', True)
     """
-    return respond(Drive.read(cast("Given", law).oscillator, force, omega), digits)
+    given = cast("Given", law)
+    return replace(respond(Drive.read(given.oscillator, force, omega), digits), frame=given.frame)

@@ -16,12 +16,13 @@ from asymptotics.motions.invariants.exact import coefficient, coefficients
 from asymptotics.numbers.policy import Number
 from asymptotics.numbers.rationals import to_fmpq
 from asymptotics.present.inputs import csv_text
+from asymptotics.running.budget import Unasked
 
 # Limits of what is printed; one coefficient alone goes further than a row, since only a line of integers is carried.
 MAX_ROW, MAX_N, MAX_G = 5_000, 100_000, 100
 MAX_DIGITS = 1000
 # The work and the memory of one coefficient, estimated from n and i before it begins: refusals, no digits.
-MAX_SECONDS, MAX_BYTES = 120, 1 << 30
+MAX_SECONDS, MAX_BYTES = Unasked(120), 1 << 30
 _USERS = {
     "n": ("f", "c"),
     "i": ("c", "g"),
@@ -80,7 +81,7 @@ def _at_more_digits(point: Mapping[str, str], digits: int) -> dict[str, str]:
     rests="exact rational arithmetic",
 )
 def smith(
-    what: Annotated[str, choice("f", "c", "g", "r", "s", "t", letter="WHAT").called(place=True, told="")],
+    what: Annotated[str, choice("f", "c", "g", "r", "s", "t", letter="WHAT").called(place=True, suffix="")],
     *,
     n: Annotated[int | None, whole(1, MAX_N)] = None,
     i: Annotated[int | None, whole(0, MAX_N, "I")] = None,

@@ -14,7 +14,8 @@ from asymptotics.bounds.motion import proved_bound
 from asymptotics.curves.double_errors import of_solution
 from asymptotics.curves.implicit import ImplicitSolution
 from asymptotics.curves.shown_solution import SolutionPoint
-from asymptotics.curves.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution, solution
+from asymptotics.curves.solution import MAX_DIGITS, MAX_ORDER, UNITS, Solution
+from asymptotics.curves.solve import solution
 from asymptotics.errors import InputError
 from asymptotics.law import LawLike, Oscillator
 from asymptotics.law_given import Given
@@ -75,7 +76,7 @@ def _text(found: SolutionAtTime, request: Request) -> str:
         frame = cast("Given", request["law"]).frame
         # No phase is told where the mass is held or the amplitude has vanished.
         values = {name.removesuffix("_value"): text for name, text in found.values.items() if text}
-        lines += [f"{name:10} {frame.told(name, text)}" for name, text in values.items()]
+        lines += [f"{name:10} {frame.with_unit(name, text)}" for name, text in values.items()]
     lines += ["bound: proved, |x - x_N| is at most this"] if found.bound is not None else []
     return "\n".join(lines)
 

@@ -90,7 +90,7 @@ def _crew(options: argparse.Namespace) -> OpenCrew | None:
     return partial(dask_executor, options.dask, workers)
 
 
-COMMAND = Kind("COMMAND", _command, place=True, words=True, told=f": {', '.join(SWEPT)}")
+COMMAND = Kind("COMMAND", _command, place=True, words=True, suffix=f": {', '.join(SWEPT)}")
 POINTS = Kind(
     "...", _points, beside=("command",), assemble=_typed_points,
     options=(
@@ -132,12 +132,12 @@ def _show(request: Request) -> Callable[[SweepResult], tuple[dict[str, Any], str
         if target is not None:
             export(Path(target), command, points, Path(request["folder"]))
             data["export"] = target
-        return data, _told(result, target)
+        return data, _summary(result, target)
 
     return show
 
 
-def _told(result: SweepResult, target: str | None) -> str:
+def _summary(result: SweepResult, target: str | None) -> str:
     lines = [
         f"{result.points} points: {result.reused} from the store, {result.computed} computed, {result.failed} failed "
         f"({float(result.seconds):.1f} s)"

@@ -31,14 +31,14 @@ _MARKS = {"code", "failed"}
 class Cells:
     """What a request gives: the names of its columns, its rows, and which columns are ``keys``.
 
-    ``apart``: columns that hold bounds, remarks or provenance, of which more digits say nothing.  ``estimates``: keys
+    ``not_judged``: columns of bounds, remarks or provenance, of which more digits say nothing.  ``estimates``: keys
     of the rows that no route certifies; their digits are not counted.
     """
 
     header: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     keys: tuple[str, ...]
-    apart: frozenset[str] = frozenset()
+    not_judged: frozenset[str] = frozenset()
     estimates: frozenset[Key] = frozenset()
     method: str = "the same request at more digits"
 
@@ -56,7 +56,7 @@ def compared_cells(
 
     ``certified``: whether the right cells are; ``doubles``: the errors that columns of doubles may have.
     """
-    columns = [name for name in header if name not in right.keys and name not in right.apart]
+    columns = [name for name in header if name not in right.keys and name not in right.not_judged]
     lacking = next((name for name in (*right.keys, *columns) if name not in right.header or name not in header), None)
     if lacking is not None:
         raise InputError("FILE", f"it or its request has no column {shown(lacking)}", ", ".join(right.header)[:400])
@@ -89,7 +89,7 @@ def compared_cells(
         raise InputError("FILE", "none of its values is certified by any route: they are estimates", "certified values")
     wrong = bool(differs) or any("[" in row.marked for row in rows)
     summary = summary_of(rows, _look(wrong)) | {"order": _order(places, len(truth))}
-    summary |= {"not_compared": left} if (left := [n for n in header if n in right.apart - _MARKS]) else {}
+    summary |= {"not_compared": left} if (left := [n for n in header if n in right.not_judged - _MARKS]) else {}
     summary |= {"differs": differs} if differs else {}
     summary |= {"estimates": unjudged} if unjudged else {}
     summary |= told_doubles(doubles, columns)

@@ -28,12 +28,13 @@ from asymptotics.decays.records.units import ANGLES, UNITS, seconds, suffix
 from asymptotics.equivalent.rows import OF_MOTION, row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.frames import BARE, Frame
-from asymptotics.law import PENDULUM, Oscillator, SpringLike
+from asymptotics.law import Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import double_of, exact_number
 from asymptotics.present.percent import percent
 from asymptotics.terms import terms_of
+from asymptotics.terms_given import PENDULUM
 
 # The exponents that have names (dry friction, viscous, air, cubic) and the sums of them that are met in practice; a law
 # that is not among them is asked for by ``laws``.
@@ -197,20 +198,14 @@ def is_of_damping(names: Sequence[str]) -> bool:
 
 def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...], str]:
     """The columns by what they are, which quantity there is, what was done, and the unit of the amplitudes."""
-    if isinstance(table, Mapping):
-        named = {str(name): table[name] for name in table}
-        places = {what: name for name in named if (what := _what(name)) is not None}
-        columns = {what: real_array(list(named[name]), name) for what, name in places.items()}
-        names, left = list(named), [name for name in named if _what(name) is None]
-    else:
-        source = _opened(table)
-        at = {what: i for i, name in enumerate(source.names) if (what := _what(name)) is not None}
-        body = source.read(sorted(at.values()))
-        if body.unread.first is not None:
-            row, _, cell = body.unread.first
-            raise InputError("table", f"{source.name}, row {row + 1}: {cell[:30]!r} is not a number", "numbers")
-        names, left = list(source.names), [n for n in source.names if _what(n) is None]
-        columns = {what: body.columns[i] for what, i in at.items()}
+    source = _opened(table)
+    names = list(source.names)
+    at = {what: i for i, name in enumerate(names) if (what := _what(name)) is not None}
+    body = source.read(sorted(at.values()))
+    if body.unread.first is not None:
+        row, _, cell = body.unread.first
+        raise InputError("table", f"{source.name}, row {row + 1}: {cell[:30]!r} is not a number", "numbers")
+    columns, left = {what: body.columns[i] for what, i in at.items()}, [n for n in names if _what(n) is None]
     quantities = [q for q in QUANTITIES if q in columns]
     # Without any of them the amplitudes themselves tell the loss, by their numbers or times.
     clocks = [c for c in CLOCKS if c in columns]
@@ -224,8 +219,6 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...], str]:
             f"it has {reason}",
             "columns A and one of zeta, Q, decrement (or n, cycles, t of the amplitudes; or force), perhaps resolution",
         )
-    if len({len(c) for c in columns.values()}) != 1:
-        raise InputError("table", "its columns differ in length", "columns of one length")
     columns = {what: values for what, values in columns.items() if what not in unused}
     left += [name for name in names if _what(name) in unused]
     notes = [f"not used: {', '.join(left)}"] if left else []
@@ -257,12 +250,18 @@ def _in_plain_numbers(columns: dict[str, Any], names: Sequence[str]) -> list[str
 
 
 def _opened(table: Any) -> Source:
-    """The file, named in a refusal by the parameter that gave it."""
+    """The table, named in a refusal by the parameter that gave it; a mapping may hold exact numbers of any kind."""
+    if isinstance(table, Mapping):
+        rows = {str(name): np.atleast_1d(np.asarray(v, dtype=object)) for name, v in table.items()}
+        columns = {name: real_array(list(v), name) if _what(name) else v for name, v in rows.items()}
+        if len({np.size(values) for values in columns.values()}) > 1:
+            raise InputError("table", "its columns differ in length", "columns of one length")
+        table = columns
     try:
         return opened(table, How())
     except InputError as error:
-        # The reader of files calls its argument FILE; here the caller has written table=.
-        if not error.argument.startswith("FILE"):
+        # The reader calls its argument FILE or data; here the caller has written table=.
+        if not error.argument.startswith(("FILE", "data")):
             raise
         raise type(error)("table", error.reason, error.accepted) from error
 

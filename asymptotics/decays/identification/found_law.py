@@ -43,7 +43,7 @@ class DampingLaw(Rows):
         return self.laws[0]
 
     def law(self, name: str) -> DampingCandidate:
-        """A candidate by its name such as ``1+2``; InputError if it is not there."""
+        """A candidate by its ``name`` such as ``1+2``; InputError if it is not there."""
         named = {c.name: c for c in self.laws}
         return named[require_choice(name, "name", named)]
 

@@ -32,9 +32,28 @@ _FEW = 7
 
 
 def standard_errors(law: str, strengths: Sequence[float], *, swings: int, noise: float) -> Array:
-    """The smallest standard errors of the strengths (x0 = 1) from turning points 0 ... ``swings`` with this noise.
+    """The smallest standard errors that strengths can have (Cramér and Rao), from the turning points 0 ... ``swings``.
 
-    Infinite where the turning points do not tell a strength from the others.
+    Parameters
+    ----------
+    law
+        the exponents as text, such as "1+2"
+    strengths
+        one for each term, where m = k = x0 = 1
+    swings
+        how many half-swings are observed
+    noise
+        the standard deviation of x, in units of x0
+
+    Returns
+    -------
+    array
+        one for each strength; infinite where the turning points do not tell it from the others
+
+    Examples
+    --------
+    >>> standard_errors("1+2", [0.1, 0.1], swings=10, noise=0.001).round(4).tolist()
+    [0.0007, 0.0017]
     """
     candidate = read_candidate(law)
     # The signs of turning points alone: the design has no data, and the information does not depend on them.
@@ -46,7 +65,29 @@ def standard_errors(law: str, strengths: Sequence[float], *, swings: int, noise:
 
 
 def swings_needed(law: str, strengths: Sequence[float], *, term: int, noise: float) -> int | None:
-    """The least number of swings that show that ``term`` is needed; None if no number up to the limit does."""
+    """The least number of half-swings that show that a term is needed; None if no number up to the limit does.
+
+    Parameters
+    ----------
+    law
+        the exponents as text, such as "1+2"
+    strengths
+        one for each term, where m = k = x0 = 1
+    term
+        the term that is to be told from 0, counted from 0
+    noise
+        the standard deviation of x, in units of x0
+
+    Returns
+    -------
+    int or None
+        the number of half-swings
+
+    Examples
+    --------
+    >>> swings_needed("1+2", [0.1, 0.1], term=1, noise=0.001)
+    2
+    """
 
     def error(swings: int) -> float | None:
         try:

@@ -42,7 +42,7 @@ from asymptotics.decays.identification.telling.law_answer import LawAnswer
 from asymptotics.decays.identification.telling.record_units import RecordUnits
 from asymptotics.decays.identification.telling.result import Identification, sorted_laws
 from asymptotics.decays.identification.telling.runs import common, verdict_of_runs
-from asymptotics.decays.identification.telling.verdicts import verdict_of
+from asymptotics.decays.identification.telling.verdicts import UNDECIDED, Verdict, verdict_of
 from asymptotics.decays.identification.textbook import textbook_estimates
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import ANGLES, GRAVITY, UNITS
@@ -160,6 +160,8 @@ def _one_run(
 ) -> Identification:
     if isinstance(run, Decrements):
         return _decrements(run, candidates, units, noise)
+    if run.without_frequency:
+        return _without_frequency(run, candidates, units)
     seen = run.without_times() if amplitudes_only else run
     constant = is_constant(seen.sizes)
     # A constant amplitude may be a little larger at its end.
@@ -207,6 +209,16 @@ def _one_run(
     # An envelope has no swings that a textbook's estimator could count.
     textbook: dict[str, Any] = {} if seen.spacing else work.within(lambda: textbook_estimates(seen), {})
     return Identification(verdict, answers, (run,), textbook, tuple(notes), answers[0].units)
+
+
+def _without_frequency(run: Observations, candidates: Sequence[Candidate], units: RecordUnits) -> Identification:
+    """An envelope of which nobody says how fast it swings: its half-life is told, and no law has a strength."""
+    reason = "an envelope of unknown frequency has no strengths"
+    laws = judged([Fitted(c, None, reason) for c in candidates], {})
+    text = f"{UNDECIDED}: without the frequency of the envelope no law has a strength, and there is no Q"
+    verdict = Verdict(UNDECIDED, text, "--omega0 W (2 pi f, in rad/s), or a line 'Frequency [Hz]: f' above the numbers")
+    answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
+    return Identification(verdict, answers, (run,), {}, run.notes, units)
 
 
 def _untried(laws: Sequence[Judged]) -> list[str]:

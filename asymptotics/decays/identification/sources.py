@@ -42,7 +42,7 @@ def load(
 ) -> list[Run]:
     """The runs of a source, one if its clock never starts again; InputError for what cannot be used.
 
-    ``omega_0``, in rad/s, is asked for where amplitudes alone are sampled and the file does not say their frequency;
+    ``omega_0``, in rad/s, is the frequency of amplitudes that are sampled alone, where the file does not say it;
     ``modes``: 2 for a second mode that is fitted beside the motion.
     """
     if modes > 1 and isinstance(source, Observations | Decrements):
@@ -64,8 +64,13 @@ def load(
         return [replace(run, time_unit=table.clock) for run in found]
     except InputError as error:
         # A column that was taken wrongly may be why: the refusal names it, and those that swing more.
-        told = table.read_as() if error.argument.startswith("FILE") else ""
-        raise type(error)("FILE", f"{error.reason}; {told}", error.accepted) if told else error from None
+        if not error.argument.startswith("FILE"):
+            raise
+        told = table.read_as()
+        # Of two or three amplitudes only the loss between them can be told.
+        few = len(next(iter(table.columns.values()))) < LEAST_POINTS
+        accepted = error.accepted + ("; two amplitudes and a time: --kind damping" if few else "")
+        raise type(error)("FILE", f"{error.reason}; {told}" if told else error.reason, accepted) from None
 
 
 def _motions(table: RecordTable, modes: int = 1) -> list[Observations]:
@@ -121,10 +126,8 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
 
 
 def _ringdown(table: RecordTable, omega_0: float | None) -> Observations:
-    """A sampled envelope, at the frequency that is said or that its file says."""
+    """A sampled envelope, at the frequency that is said or that its file says, if any does."""
     frequency = table.frequency if omega_0 is None else omega_0 / (2 * np.pi)
-    if frequency is None:
-        raise InputError("omega_0", f"{table.rows.name} is an envelope and says no frequency", "2 pi f in rad/s")
     t, x, rows, notes = straightened(table.columns["t"], table.columns["x"], table.rows)
     return observations_of_envelope(
         t, x, frequency, relative=table.relative, unit=table.unit, name=rows.name, notes=(*table.notes, *notes)

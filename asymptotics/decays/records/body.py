@@ -6,7 +6,7 @@ cannot be read is kept as missing and counted: ``Unread`` says how many, which i
 
 import csv
 import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any
@@ -14,9 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from asymptotics.decays.records.cells import MISSING, is_stamp, number, seconds_of_stamp
+from asymptotics.decays.records.cells import MISSING, number
 from asymptotics.decays.records.layout import Layout
 from asymptotics.decays.records.lines import WHITE, is_comment, split
+from asymptotics.decays.records.stamps import is_stamp, seconds_of_stamp
 from asymptotics.running.budget import tick
 
 Array = NDArray[np.float64]
@@ -49,8 +50,9 @@ class Body:
     unread: Unread
 
 
-def read_body(lines: Iterable[str], layout: Layout, wanted: Sequence[int], stamps: Sequence[int]) -> Body:
-    """The wanted columns of all lines from ``layout.start`` on; ``stamps``: those that hold times of day."""
+def read_body(lines: Iterable[str], layout: Layout, wanted: Sequence[int], stamps: Mapping[int, str]) -> Body:
+    """The wanted columns of all lines from ``layout.start`` on; ``stamps``: those of times of day, with the order of
+    their dates."""
     unread, found, numbers = Unread(), [], []
     stream = enumerate(lines, start=1)
     for _ in islice(stream, layout.start):
@@ -62,7 +64,7 @@ def read_body(lines: Iterable[str], layout: Layout, wanted: Sequence[int], stamp
         if not kept:
             continue
         table = _block([line for _, line in kept], layout, wanted, unread, count)
-        found.append([_numbers(table[c], c, layout, unread, count, c in stamps) for c in wanted])
+        found.append([_numbers(table[c], c, layout, unread, count, stamps.get(c)) for c in wanted])
         numbers.append(np.array([i for i, _ in kept], dtype=np.int64))
         count += len(kept)
         tick(f"the reading of row {count}")
@@ -115,9 +117,9 @@ def _blank(width: int, separator: str) -> str:
     return " ".join(["nan"] * width) if separator == WHITE else separator.join(["nan"] * width)
 
 
-def _numbers(column: Any, place: int, layout: Layout, unread: Unread, before: int, stamp: bool) -> Array:
+def _numbers(column: Any, place: int, layout: Layout, unread: Unread, before: int, stamp: str | None) -> Array:
     # pandas has read every cell as a number; otherwise each is read strictly, and the first that is none is told.
-    if column.dtype.kind in "fiu" and not stamp:
+    if column.dtype.kind in "fiu" and stamp is None:
         return np.asarray(column.to_numpy(dtype=float))
     found = np.full(len(column), np.nan)
     for i, cell in enumerate(column.tolist()):
@@ -129,9 +131,9 @@ def _numbers(column: Any, place: int, layout: Layout, unread: Unread, before: in
                 found[i] = float(cell)
             continue
         value = (
-            seconds_of_stamp(cell)
-            if stamp and is_stamp(cell)
-            else number(cell, layout.decimal, thousands=layout.thousands)
+            seconds_of_stamp(cell, stamp)
+            if stamp is not None and is_stamp(cell)
+            else number(cell, layout.mark(place), thousands=layout.thousands)
         )
         if value is None:
             unread.add(before + i, place, cell.strip())

@@ -25,7 +25,6 @@ _GROUPS = {
     ".": re.compile(r"[+-]?[1-9]\d{0,2}(?P<mark>[, '\u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<rest>\.\d*)?"),
     ",": re.compile(r"[+-]?[1-9]\d{0,2}(?P<mark>[. '\u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<rest>,\d*)?"),
 }
-_STAMP = re.compile(r"(?:\d{4}-\d\d-\d\d[T ])?\d{1,2}:\d\d:\d\d(?:[.,]\d+)?(?:Z|[+-]\d\d:?\d\d)?")
 
 
 def number(cell: str, decimal: str, *, thousands: bool = False) -> float | None:
@@ -53,39 +52,3 @@ def is_grouped(cell: str, decimal: str) -> bool:
     text = cell.strip().strip('"').strip()
     found = _GROUPS[decimal].fullmatch(text)
     return bool(found and found["mark"] in ",." and not found["rest"])
-
-
-def is_stamp(cell: str) -> bool:
-    """Whether it is a time of day, or a date (the year first) with one.
-
-    >>> is_stamp("2024-05-01 12:00:00.25"), is_stamp("12:00:01"), is_stamp("01/02/2024")
-    (True, True, False)
-    """
-    return bool(_STAMP.fullmatch(cell.strip().strip('"')))
-
-
-def seconds_of_stamp(cell: str) -> float | None:
-    """Seconds since midnight, or since 1970 where there is a date; nan for a missing one, None for another text."""
-    from datetime import datetime  # noqa: PLC0415 (only files with stamps)
-
-    text = cell.strip().strip('"')
-    if text in MISSING:
-        return nan
-    if not is_stamp(text):
-        return None
-    # Four digits of a year and a hyphen; a time of day alone begins with its hours.
-    if "-" in text[:6]:
-        day, _, clock = text.replace("T", " ").partition(" ")
-        zone = re.search(r"(?:Z|[+-]\d\d:?\d\d)\Z", clock)
-        # A date without a zone is taken in universal time: only differences are used.
-        shift = zone.group() if zone and zone.group() != "Z" else "+00:00"
-        clock = clock[: zone.start()] if zone else clock
-        try:
-            start = datetime.fromisoformat(f"{day}T00:00:00{shift}").timestamp()
-        # Such as a thirteenth month: no stamp, though it looks like one.
-        except ValueError:
-            return None
-    else:
-        start, clock = 0.0, text
-    hours, minutes, rest = clock.split(":")
-    return start + 3600 * int(hours) + 60 * int(minutes) + float(rest.replace(",", "."))

@@ -63,19 +63,21 @@ def chosen(given: Source, kind: str | None, how: How) -> Choice:
 
 def ordered(given: Source, kind: str | None, how: How) -> list[str]:
     """The names; in a file without names, two columns of which one increases are a time and a position."""
-    if given.headed or kind is not None or how.columns is not None or len(given.names) != 2:
-        return list(given.names)
-    body = given.sample([0, 1])
+    names = list(given.names)
+    live = [place for place, name in enumerate(names) if name]
+    if given.headed or kind is not None or how.columns is not None or len(live) != 2:
+        return names
+    body = given.sample(live)
     with np.errstate(invalid="ignore"):  # two cells beyond the doubles: no step
-        steps = [np.diff(body[i]) for i in (0, 1)]
+        steps = [np.diff(body[i]) for i in live]
     rising = [len(step) > 3 and bool((step > 0).all()) for step in steps]
     counted = [bool(np.array_equal(step, np.ones(len(step)))) for step in steps]
     # 0, 1, 2, ... counts turning points or rows as well as seconds: that is asked.
-    if rising == [True, False] and not counted[0]:
-        return ["t", "x"]
-    if rising == [False, True] and not counted[1]:
-        return ["x", "t"]
-    return list(given.names)
+    if (rising == [True, False] and not counted[0]) or (rising == [False, True] and not counted[1]):
+        for name, place in (("t", live[rising.index(True)]), ("x", live[rising.index(False)])):
+            unit = suffix(names[place])
+            names[place] = f"{name} [{unit}]" if unit else name
+    return names
 
 
 def _settled(given: Source, names: Sequence[str], several: SeveralError) -> tuple[int | None, str]:
@@ -93,8 +95,26 @@ def _settled(given: Source, names: Sequence[str], several: SeveralError) -> tupl
     if not axes or several.column not in ("x", "v", "a"):
         return None, ""
     if len({(quantity(names[i]), suffix(names[i]), bool(_ANGLE.search(names[i]))) for i in axes}) == 1:
-        return carrying(axes), f"of {listed} it carries the oscillation (nine tenths of the line): --columns overrules"
+        place = carrying(axes)
+        return _alone(
+            place, axes
+        ), f"of {listed} it carries the oscillation (nine tenths of the line): --columns overrules"
     return _angle(axes, names), f"of {listed} it carries the oscillation: --columns overrules"
+
+
+def _alone(place: int | None, axes: dict[int, Array]) -> int | None:
+    """The place, unless another axis swings at a frequency of its own, as another oscillator does; None then."""
+    lines = {p: line for p, values in axes.items() if (line := line_of(values)) is not None}
+    if place is None or place not in lines:
+        return place
+    main = lines[place]
+    for line in lines.values():
+        # A tension, or a height, swings twice in a period.
+        ratio = max(line.place, main.place) / min(line.place, main.place)
+        apart = min(abs(ratio - 1), abs(ratio / 2 - 1)) > max(_SAME, 2 / min(line.place, main.place))
+        if apart and line.share > _PURE and line.power > (1 - _SHARE) * main.power:
+            return None
+    return place
 
 
 def _different(columns: dict[int, Array], names: Sequence[str]) -> dict[int, Array]:

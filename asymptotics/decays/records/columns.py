@@ -15,10 +15,13 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from asymptotics.decays.records.error_names import errors_beside
 from asymptotics.decays.records.units import ACCELERATIONS, SECONDS, SPEEDS, UNITS, suffix, without_run
 from asymptotics.errors import InputError, shown
 
 KINDS = ("record", "velocity", "acceleration", "envelope", "turning-points", "decrement")
+DAMPING_TABLE = "A,zeta or A,Q or A,force (damping)"
+"""The kind that is no record, as ``identification.damping_kind`` reads it."""
 COLUMNS = {
     "record": ("t", "x"),
     "velocity": ("t", "v"),
@@ -37,8 +40,8 @@ OPTIONAL = {
 }
 
 _WORDS = {
-    "time": "t time zeit tau temps tiempo tempo timestamp datetime x_value clock elapsed seconds sekunden "
-    "millis micros",
+    "time": "t time zeit tau temps tiempo tempo timestamp zeitstempel uhrzeit datetime x_value clock elapsed seconds "
+    "sekunden millis micros",
     "position": "x y z position pos displacement phi theta angle angular winkel auslenkung roll pitch elongation weg "
     "deflection distance \N{GREEK SMALL LETTER THETA} \N{GREEK SMALL LETTER THETA}r \N{GREEK SMALL LETTER PHI}",
     "velocity": "v velocity speed omega gyroscope gyro geschwindigkeit winkelgeschwindigkeit vx vy vz rate "
@@ -48,9 +51,14 @@ _WORDS = {
     "amplitude": "amplitude",
     "decrement": "decrement",
     "resolution": "resolution",
+    "force": "force kraft torque drehmoment",
     "uncertainty": "uncertainty uncertainties error err xerr yerr terr sigma std stddev unsicherheit fehler",
 }
 _MEANING = {word: quantity for quantity, words in _WORDS.items() for word in words.split()}
+_NO_NAME = re.compile(r"column \d+( \[.*\])?")
+_AXIS = re.compile(r"[xyz](?: .*)?", re.IGNORECASE)
+"""A letter of an axis, which says nothing of what is measured along it."""
+_MEASURED = {"x": "position", "v": "velocity", "a": "acceleration"}
 _LAST = ("velocity", "acceleration", "time")  # "angular velocity": the word that decides
 
 
@@ -78,6 +86,8 @@ def quantity(name: str) -> str:
     ['time', 'velocity', 'velocity', 'position', '', 'time']
     >>> [quantity(n) for n in ("Time A [s]", "Pos A", "Channel A", "a", "a_x", "mass_A: t", "t_days")]
     ['time', 'position', '', 'acceleration', 'acceleration', 'time', 'time']
+    >>> [quantity(n) for n in ("A (cm)", "a (m/s^2)", "A")]
+    ['position', 'acceleration', 'acceleration']
     >>> [quantity(n) for n in ("gx", "gyroZ", "AccX", "millis", "position")]
     ['velocity', 'velocity', 'acceleration', 'time', 'position']
     """
@@ -90,6 +100,9 @@ def quantity(name: str) -> str:
     words = [_without_axis(w) for w in re.split(r"[^\w]+|_|\d+", label.lower()) if w]
     found = [_MEANING[w] for w in words if w in _MEANING and (len(w) > 1 or _is_letter_of(w, words))]
     by_unit = _by_unit(unit)
+    # Of a letter alone the unit knows better: A (cm) is no acceleration.
+    if by_unit in _MEASURED.values() and len(label.strip()) == 1 and found and found[0] in _MEASURED.values():
+        return by_unit
     # A name that is one word of the list as a whole, such as x_value, is cut into no others.
     if label.lower().strip() in _MEANING:
         return _MEANING[label.lower().strip()]
@@ -104,6 +117,16 @@ def quantity(name: str) -> str:
         if decisive in found and not (decisive == "time" and by_unit not in ("", "time")):
             return decisive
     return found[0] if found else by_unit
+
+
+def quantities(names: Sequence[str]) -> list[str]:
+    """What the columns of one table hold: some, such as ``dx``, say so only beside another.
+
+    >>> quantities(["t", "dt", "x", "dx"]), quantities(["t", "dx"])
+    (['time', 'uncertainty', 'position', 'uncertainty'], ['time', ''])
+    """
+    errors = errors_beside(names)
+    return ["uncertainty" if i in errors else quantity(name) for i, name in enumerate(names)]
 
 
 def _without_axis(word: str) -> str:
@@ -177,7 +200,7 @@ def _given(names: Sequence[str], columns: str) -> dict[str, int]:
 
 
 def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
-    meant = [quantity(n) for n in names]
+    meant = quantities(names)
     # x alone, which two kinds have, leaves the kind to the other columns, where they say it.
     if set(given) == {"x"} and "time" in meant and "n" not in meant:
         return "record"
@@ -187,6 +210,14 @@ def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
             if set(given) <= {*COLUMNS[kind], *OPTIONAL[kind]} and COLUMNS[kind][1] in given:
                 return kind
     if len(names) > 1:
+        # A phone writes the axes of each of its sensors as x, y, z into a file of its own.
+        bare = [n for n, q in zip(names, meant) if q == "position"]
+        sensor = quantity(re.sub(r"\.\w+\Z", "", file)) if len(bare) > 1 and all(map(_AXIS.fullmatch, bare)) else ""
+        if "time" in meant and sensor in ("velocity", "acceleration"):
+            return sensor
+        if len(bare) > 2 and "seconds_elapsed" in names:
+            reason = f"{file}: x, y, z of a phone may be those of any of its sensors"
+            raise InputError("FILE", reason, "--kind velocity (a gyroscope), --kind acceleration, --kind record")
         if {"amplitude", "decrement"} <= set(meant):
             return "decrement"
         if "n" in meant:
@@ -196,33 +227,35 @@ def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
             has_x = "position" in meant or "" in meant
             derived = [kind for kind in ("velocity", "acceleration") if kind in meant]
             return derived[0] if not has_x and derived else "record"
-    what = f"{len(names)} column" + ("" if len(names) == 1 else "s")
-    asked = ", or ".join(f"{accepted(kind)} ({kind})" for kind in KINDS)
+    live = [name for name in names if name]
+    what = f"{len(live)} column" + ("" if len(live) == 1 else "s")
+    asked = ", or ".join([*(f"{accepted(kind)} ({kind})" for kind in KINDS), DAMPING_TABLE])
     asked += "; or say with --columns t=1,x=2 or --kind what they are" if len(names) > 1 else ""
-    reason = f"{file}, row 1: {what} ({', '.join(names[:5])[:60]}): what is measured is not clear"
+    reason = f"{file}, row 1: {what} ({', '.join(live[:5])[:60]}): what is measured is not clear"
     raise InputError("FILE", reason, asked)
 
 
 _MEANT = {"t": "time", "tau": "time", "x": "position", "v": "velocity", "a": "acceleration"}
 
 
-_MEASURED = {"x": "position", "v": "velocity", "a": "acceleration"}
-
-
 def _place_of(column: str, names: Sequence[str], used: list[int], kind: str, file: str, needed: bool) -> int | None:
     """The only column that can be meant; None if an optional one is not there; InputError where it must be asked."""
     # A file without names: its columns stand in the order of the contract, if there are no more of them.
-    if all(re.fullmatch(r"column \d+", n) for n in names):
+    live = [i for i, n in enumerate(names) if n]
+    if all(_NO_NAME.fullmatch(names[i]) for i in live):
         order = (*COLUMNS[kind], *OPTIONAL[kind])
-        if len(names) <= len(order):
-            return order.index(column) if order.index(column) < len(names) else None
+        if len(live) <= len(order):
+            return live[order.index(column)] if order.index(column) < len(live) else None
     free = [i for i in range(len(names)) if i not in used and names[i]]
-    meant = _MEANT.get(column, column)
-    found = [i for i in free if quantity(names[i]) == meant]
-    # No column says what is wanted: any that does not say something else may be meant.
+    meant, said = _MEANT.get(column, column), quantities(names)
+    found = [i for i in free if said[i] == meant]
+    # No column says what is wanted: any that does not say something else may be meant, a force where there is no other.
     if not found and column in _MEASURED:
-        other = {"time", "n", "uncertainty", *_MEASURED.values()} - {_MEASURED[column]}
-        found = [i for i in free if quantity(names[i]) not in other]
+        other = {"time", "n", "uncertainty", "force", *_MEASURED.values()} - {_MEASURED[column]}
+        found = [i for i in free if said[i] not in other] or [i for i in free if said[i] == "force"]
+    # An axis of a sensor, where the kind is said.
+    if not found and column in ("v", "a"):
+        found = [i for i in free if _AXIS.fullmatch(names[i]) and not suffix(names[i])]
     # One of two columns is taken, so that the other has to be x.
     if column == "x" and not found and len(free) == 1 and len(names) == 2:
         found = free
@@ -244,8 +277,8 @@ def _example(column: str, names: Sequence[str], used: list[int], found: list[int
     """Places that answer the question whole: of a time, the first column that may be measured beside it."""
     places = [*used, found[0]]
     if column == COLUMNS[kind][0] and len(COLUMNS[kind]) > 1:
-        meant = _MEANT.get(COLUMNS[kind][1], "")
-        places += [i for i in range(len(names)) if i not in places and quantity(names[i]) in (meant, "")][:1]
+        meant, said = _MEANT.get(COLUMNS[kind][1], ""), quantities(names)
+        places += [i for i in range(len(names)) if i not in places and said[i] in (meant, "")][:1]
     return places
 
 
@@ -277,7 +310,9 @@ def _article(word: str) -> str:
 
 def _note(names: Sequence[str], places: dict[str, int]) -> str:
     taken = [f"{'time' if c in ('t', 'tau') else c}: {names[i]!r}" for c, i in places.items()]
-    left = [n for i, n in enumerate(names) if i not in places.values() and n]
+    # Of columns of errors it is told later whether they are used.
+    errors = [i for i, q in enumerate(quantities(names)) if q == "uncertainty"]
+    left = [n for i, n in enumerate(names) if i not in places.values() and i not in errors and n]
     if left:
         many = "1 other column" if len(left) == 1 else f"{len(left)} other columns"
         taken.append(f"{many} not used: " + ", ".join(repr(n) for n in left[:4]) + (", ..." if len(left) > 4 else ""))

@@ -7,13 +7,17 @@ not there is asked for by name.
 import io
 from collections.abc import Iterator
 from contextlib import contextmanager
+from datetime import datetime, time
 from importlib import import_module
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from asymptotics.decays.records.cells import number
 from asymptotics.decays.records.columns import quantity
+from asymptotics.decays.records.json_columns import arrays_of_json
 from asymptotics.decays.records.rates import rate_in
 from asymptotics.decays.records.sizes import (
     MAX_CELLS,
@@ -22,12 +26,13 @@ from asymptotics.decays.records.sizes import (
     require_small_arrays,
     require_small_sheet,
 )
+from asymptotics.decays.records.stamps import is_stamp
 from asymptotics.errors import InputError
 
 SHEETS = (".xlsx", ".xls", ".ods", ".xlsm")
 _SAMPLES, _TIMES = 50, 8
 """Rows that a sheet of samples has at least, and in how many times more than any other, to be taken unasked."""
-FRAMES = (".parquet", ".npz", ".npy", ".mat", ".h5", ".hdf5", ".tdms")
+FRAMES = (".parquet", ".npz", ".npy", ".mat", ".h5", ".hdf5", ".tdms", ".json", ".jsonl", ".wav")
 
 
 @contextmanager
@@ -83,11 +88,17 @@ def sheet_lines(path: Path, sheet: str | None) -> tuple[list[str], tuple[str, ..
 
 
 def _rows_of_numbers(table: Any) -> int:
-    numbers = table.map(lambda c: isinstance(c, int | float) and c == c and not isinstance(c, bool))
     if table.size > MAX_CELLS:
         raise InputError("FILE", f"the sheet has {table.size} cells", f"at most {MAX_CELLS}")
-    # Without numbers three rows of two cells may still be a table, whose numbers stand as text.
-    return int((numbers.sum(axis=1) >= 2).sum()) or int((table.notna().sum(axis=1) >= 2).sum() >= 3)
+    return int((table.map(_is_a_number).sum(axis=1) >= 2).sum())
+
+
+def _is_a_number(cell: Any) -> bool:
+    """A number, a time, or a text that is one of them."""
+    if isinstance(cell, str):
+        values = [number(cell, mark) for mark in ",."]
+        return is_stamp(cell) or any(value is not None and isfinite(value) for value in values)
+    return isinstance(cell, int | float | datetime | time) and cell == cell and not isinstance(cell, bool)
 
 
 def _text(cell: Any) -> str:
@@ -101,7 +112,7 @@ def frame_of(path: Path) -> Any:
     """The columns of a parquet file, or of the arrays of one length in an npz, npy or mat file, as a data frame."""
     import pandas  # noqa: PLC0415 (an extra)
 
-    extra = "laboratory" if _suffix(path) in (".h5", ".hdf5", ".tdms") else "files"
+    extra = "laboratory" if _suffix(path) in (".h5", ".hdf5", ".tdms", ".mat") else "files"
     # Pickled objects are not loaded: they may run code.
     with _reading(path, extra, "a whole file without pickled objects"):
         if _suffix(path) == ".parquet":
@@ -147,9 +158,25 @@ def _arrays(path: Path) -> dict[str, Any]:
         return _hdf5(path)
     if _suffix(path) == ".tdms":
         return _tdms(path)
+    if _suffix(path) == ".wav":
+        return _wav(path)
+    if _suffix(path) in (".json", ".jsonl"):
+        return _short(arrays_of_json(path))
     require_small_arrays(path)
     loaded = np.load(path, allow_pickle=False)
-    return {"column": loaded} if _suffix(path) == ".npy" else {k: loaded[k] for k in loaded.files}
+    if _suffix(path) == ".npz":
+        return {k: loaded[k] for k in loaded.files}
+    # A structured array holds columns with names.
+    return {"column": loaded} if loaded.dtype.names is None else {k: loaded[k] for k in loaded.dtype.names}
+
+
+def _wav(path: Path) -> dict[str, Any]:
+    """The channels of a sound, and their rate."""
+    from scipy.io import wavfile  # noqa: PLC0415 (slow to load, for one format)
+
+    require_few_values([(path.stat().st_size,)], path.name)
+    rate, samples = wavfile.read(path)
+    return {"channel": samples.astype(float), "sample_rate": float(rate)}
 
 
 def _parquet(path: Path) -> Any:
@@ -167,6 +194,9 @@ def _mat(path: Path) -> dict[str, Any]:
 
     # From memory, so that scipy adds no .mat to the name and looks for no other file.
     data = path.read_bytes()
+    # Version 7.3 is HDF5 under another name.
+    if data.startswith((b"MATLAB 7.3", b"\x89HDF")):
+        return _hdf5(path)
     variables = readable_of_mat(data, path.name)
     wanted = [name for name, readable in variables if readable]
     found = loadmat(io.BytesIO(data), variable_names=wanted, simplify_cells=True) if wanted else {}

@@ -95,3 +95,23 @@ def unglued(cells: Sequence[str], decimal: str, width: int) -> tuple[str, ...]:
     # The first place from which on the cell is a number.
     cut = next((k for k in range(1, len(last[0])) if number(last[0][k:], decimal) is not None), None)
     return () if cut is None else (*cells[: width - 1], last[0][:cut].strip())
+
+
+def names_in_rows(columns: Sequence[Sequence[str]], known: Sequence[bool]) -> tuple[str, ...]:
+    """Names of columns without a header: one text that stands before each number is its name, one behind it its unit.
+
+    ``known``: which columns hold numbers; the others have no name.
+
+    >>> names_in_rows([["time:"] * 3, ["0", "1", "2"], ["ms,"] * 3, ["1.5", "1.0", "0.5"]], [False, True, False, True])
+    ('', 'time [ms]', '', 'column 4')
+    """
+    one = [cells[0].strip(" ,;") if len({*cells}) == 1 and not k else "" for cells, k in zip(columns, known)]
+    names = []
+    for place, holds in enumerate(known):
+        before, after = (one[p] if 0 <= p < len(one) else "" for p in (place - 1, place + 1))
+        named = before.endswith((":", "="))
+        name = before.rstrip(" :=") if named else f"column {place + 1}"
+        # Behind a name and a number even an unknown word is a unit: a clock in ticks is not one in seconds.
+        unit = after if after and not after.endswith((":", "=")) and (named or is_unit(after)) else ""
+        names.append((f"{name} [{unit}]" if unit else name) if holds else "")
+    return tuple(names)

@@ -12,13 +12,16 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
-from asymptotics.decays.records.cells import MISSING, is_grouped, is_stamp, number
+from asymptotics.decays.records.cells import MISSING, is_grouped, number
 from asymptotics.decays.records.header import header_of
 from asymptotics.decays.records.lines import WHITE, is_comment, split
 from asymptotics.decays.records.one_column import one_column
+from asymptotics.decays.records.stamps import is_stamp
 from asymptotics.errors import InputError
 
+_UNGROUPED = re.compile(r"[+-]?\d{4,}")
 _SEPARATORS = ("\t", ";", "|", ",", WHITE)
 """The signs that are no decimal marks first: of equal readings the first wins, by a millionth of the score."""
 
@@ -26,7 +29,8 @@ _SEPARATORS = ("\t", ";", "|", ",", WHITE)
 @dataclass(frozen=True)
 class Layout:
     """``separator``: a character, or a space for any white space; ``header``: the names (empty: none); ``start``: the
-    line of the first numbers, from 0; ``thousands``: whether commas (points) group thousands."""
+    line of the first numbers, from 0; ``thousands``: whether commas (points) group thousands; ``others``: columns
+    whose decimal mark is the other one."""
 
     separator: str
     decimal: str
@@ -34,6 +38,11 @@ class Layout:
     start: int
     width: int
     thousands: bool = False
+    others: frozenset[int] = frozenset()
+
+    def mark(self, place: int) -> str:
+        """The decimal mark of a column."""
+        return self.decimal if place not in self.others else "," if self.decimal == "." else "."
 
     def cells(self, line: str) -> list[str]:
         """The cells of a line."""
@@ -60,8 +69,7 @@ def layout_of(lines: Sequence[str], name: str, *, decimal: str | None = None, sk
         raise InputError("FILE", reason, "a table with a row for each moment, perhaps with a header")
     # The score counts rows of one width, so that a wrong separator, which cuts some rows and not others, loses.
     best = max(tried, key=lambda found: found[0])
-    _require_one_reading(best, tried, lines, name)
-    _, layout = best
+    layout = _with_marks(_one_reading(best, tried, lines, name), lines)
     header, unclear = header_of(lines[skip : layout.start], layout.separator, layout.decimal, layout.width)
     # Names that do not fit the cells are a sign that a decimal comma was taken for a separator.
     if unclear:
@@ -91,7 +99,7 @@ def _tried(lines: Sequence[str], separator: str, decimal: str, skip: int) -> tup
     share = sum(good[i] for i in chosen) / len(chosen)
     grouped = any(is_grouped(cell, decimal) for i in chosen for cell in rows[i])
     order = 1 - 1e-6 * _SEPARATORS.index(separator) if separator in _SEPARATORS else 1
-    # At equal merit a reading without groups of thousands wins. The factors only break ties: ``_require_one_reading``
+    # At equal merit a reading without groups of thousands wins. The factors only break ties: ``_one_reading``
     # asks about scores as near as 0.998.
     score = len(chosen) * share * order * (0.999 if grouped else 1)
     return score, Layout(separator, decimal, (), _first(rows, chosen, width, decimal), width, grouped)
@@ -128,17 +136,59 @@ def _quality(cells: Sequence[str], decimal: str) -> float | None:
     return count / len(filled) if count >= 2 else None
 
 
-def _require_one_reading(
+def _one_reading(
     best: tuple[float, Layout], tried: Sequence[tuple[float, Layout]], lines: Sequence[str], name: str
-) -> None:
+) -> Layout:
+    """The best layout, or one with the other mark that what stands in the file decides for; InputError where nothing
+    does."""
     score, taken = best
     for other_score, other in tried:
         # Another mark with the same separator and practically the same score: the cells themselves must agree.
         if other.decimal == taken.decimal or other_score < 0.998 * score or other.separator != taken.separator:
             continue
-        for i in range(taken.start, len(lines)):
-            for cell in [] if is_comment(lines[i]) else taken.cells(lines[i]):
+        table = {i: taken.cells(lines[i]) for i in range(taken.start, len(lines)) if not is_comment(lines[i])}
+        for i, cells in table.items():
+            for cell in cells:
                 one, two = (number(cell, d, thousands=True) for d in (taken.decimal, other.decimal))
-                if one is not None and two is not None and one == one and one != two:
+                if one is None or two is None or one != one or one == two:
+                    continue
+                decided = _decided(list(table.values()), cell, taken, other)
+                if decided is None:
                     reason = f"{name}, row {i + 1}: {cell[:20]!r} may be {one:g} or {two:g}"
                     raise InputError("FILE", reason, "--decimal . or --decimal , (decimal='.' or decimal=',')")
+                return decided
+    return taken
+
+
+def _decided(rows: Sequence[Sequence[str]], cell: str, one: Layout, two: Layout) -> Layout | None:
+    """Of two readings the one in which more columns rise all along; else, where a number of four digits stands without
+    a mark, the one in which the cell has no groups of thousands."""
+    rising = [_rising(rows, layout) for layout in (one, two)]
+    if rising[0] != rising[1]:
+        return one if rising[0] > rising[1] else two
+    if any(_UNGROUPED.fullmatch(c) for row in rows for c in row):
+        return two if is_grouped(cell, one.decimal) else one
+    return None
+
+
+def _rising(rows: Sequence[Sequence[str]], layout: Layout) -> int:
+    columns = zip(*[row for row in rows if len(row) == layout.width])
+    read = ([number(c, layout.decimal, thousands=True) for c in column] for column in columns)
+    return sum(all(a is not None and b is not None and a < b for a, b in pairwise(values)) for values in read)
+
+
+def _with_marks(layout: Layout, lines: Sequence[str]) -> Layout:
+    """The layout, with the columns that have the other decimal mark: all their cells are numbers with it, and some with
+    this one are none."""
+    other = "," if layout.decimal == "." else "."
+    rows = [layout.cells(line) for line in lines[layout.start :] if not is_comment(line)]
+    columns = list(zip(*[row for row in rows if len(row) == layout.width]))
+    # A few spoilt cells are no decimal mark.
+    found = {
+        place
+        for place, cells in enumerate(columns)
+        if not all(_is_number(c, layout.decimal) or c in MISSING for c in cells)
+        and all(number(c, other) is not None for c in cells)
+    }
+    grouped = any(is_grouped(c, layout.decimal) for k, cells in enumerate(columns) if k not in found for c in cells)
+    return replace(layout, others=frozenset(found), thousands=layout.thousands and grouped)

@@ -32,6 +32,8 @@ _DOUBLE = re.compile(
 )
 _VOLTS, _CLOCK = ("v", "mv", "uv", "\u00b5v", "\u03bcv"), 1e-3
 """Units of what a lock-in amplifier reads, and by how much of itself the step of its clock changes, printed."""
+_LOCK_IN = re.compile(r"R\b")
+"""What a lock-in amplifier calls the magnitude, beside X, Y and theta."""
 _CYCLES = re.compile(r"\bcycles?\b", re.IGNORECASE)
 _LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART = 5, 500, 0.8, 0.15, -0.9, 1.5
 """Rows that are peaks: of fewer nothing is told, more are a sampled envelope; the share of steps that fall; by how much
@@ -39,10 +41,15 @@ of a period a peak may be off its place; the correlation of an envelope with the
 peaks are."""
 
 
+def _is_amplitude(name: str) -> bool:
+    """Whether a name says so: by a word, or as the letter A."""
+    return bool(_NAMES.search(name) or re.match(r"A\b", name))
+
+
 def peaks_of_one_side(name: str, t: Array, x: Array) -> Array | None:
     """The numbers n of the turning points; None for what is no sequence of peaks."""
     whole = np.isfinite(t) & np.isfinite(x)
-    if not _NAMES.search(name) or not whole.all() or not _LEAST <= len(x) <= _MOST or not (x > 0).all():
+    if not _is_amplitude(name) or not whole.all() or not _LEAST <= len(x) <= _MOST or not (x > 0).all():
         return None
     steps = np.diff(t)
     period = float(np.median(steps))
@@ -51,6 +58,24 @@ def peaks_of_one_side(name: str, t: Array, x: Array) -> Array | None:
     periods = steps / period
     near = (np.abs(periods - np.round(periods)) < _EVEN) & (np.round(periods) >= 1)
     return np.concatenate([[0.0], 2 * np.cumsum(np.round(periods))]) if near.all() else None
+
+
+def turns(t: Array, x: Array) -> Array | None:
+    """The numbers n of turning points of both sides, a row each; None for what is sampled more finely.
+
+    Signs alternate from row to row and sizes fall, half a period apart: samples of a swing do not keep such a step.
+
+    >>> t = np.arange(9.0)
+    >>> turns(t, (-0.9) ** t), turns(t, 0.9**t * np.cos(2.8 * t)) is None
+    (array([0., 1., 2., 3., 4., 5., 6., 7., 8.]), True)
+    """
+    whole = np.isfinite(t) & np.isfinite(x)
+    if not whole.all() or not _LEAST <= len(x) <= _MOST or not (x[1:] * x[:-1] < 0).all():
+        return None
+    steps = np.diff(t)
+    even = np.abs(steps / np.median(steps) - 1) < _EVEN if np.median(steps) > 0 else np.zeros(1, dtype=bool)
+    falls = np.mean(np.diff(np.abs(x)) < 0) >= _FALLING
+    return np.arange(float(len(x))) if even.all() and falls else None
 
 
 def is_double(name: str) -> bool:
@@ -70,16 +95,19 @@ def counts_cycles(name: str) -> bool:
 def is_envelope(name: str, t: Array, x: Array, frequency: float | None) -> bool:
     """Whether amplitudes are samples of an envelope: too many for peaks, or further apart than the period."""
     whole = np.isfinite(t) & np.isfinite(x)
-    if not _NAMES.search(name) or whole.sum() < _LEAST or not (x[whole] > 0).all():
+    if whole.sum() < _LEAST or not (x[whole] > 0).all():
         return False
     t, x = t[whole], x[whole]
+    steps = np.diff(t)
+    apart = frequency is not None and float(np.median(steps)) * frequency > _APART
+    # Whatever its name, what is sampled less than once a period shows no swings.
+    if not (apart or _is_amplitude(name) or (_LOCK_IN.match(name) and suffix(name).lower() in _VOLTS)):
+        return False
     first = int(np.argmax(x))
     if len(x) - first < _LEAST:
         return False
     # Spearman's correlation: a decay falls, whatever its noise; a swing about a base line does not.
     order = np.argsort(np.argsort(x[first:]))
     falls = float(np.corrcoef(np.arange(len(order)), order)[0, 1]) < _FALLS
-    steps = np.diff(t)
-    apart = frequency is not None and float(np.median(steps)) * frequency > _APART
     read = suffix(name).lower() in _VOLTS and float(np.ptp(steps)) < _CLOCK * float(np.median(steps))
     return falls and (apart or read or len(x) > _MOST)

@@ -1,6 +1,7 @@
 """What a table may come from, opened: its names, its first rows, and a way to read the columns that are wanted."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from itertools import islice
@@ -12,19 +13,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asymptotics.decays.records.body import Body, Unread, read_body
-from asymptotics.decays.records.cells import is_stamp, number, seconds_of_stamp
+from asymptotics.decays.records.cells import number
 from asymptotics.decays.records.formats import FRAMES, SHEETS, frame_of, sheet_lines
+from asymptotics.decays.records.header import names_in_rows
+from asymptotics.decays.records.instruments import with_times
 from asymptotics.decays.records.labview import with_clock
 from asymptotics.decays.records.layout import Layout, layout_of
 from asymptotics.decays.records.levels import frequency_in
 from asymptotics.decays.records.lines import is_comment
 from asymptotics.decays.records.rates import rate_in
+from asymptotics.decays.records.stamps import is_stamp, order_of, past_midnight, seconds_of_stamp
 from asymptotics.decays.records.text import lines_of, unpacked
 from asymptotics.errors import InputError, require_choice, shown
 
 Array = NDArray[np.float64]
-_HEAD, _LONGEST = 2_000, 100_000
-"""Lines that show the layout, and the longest preamble that is searched for numbers."""
+_NO_NAME = re.compile(r"column \d+( \[.*\])?|arr_\d+")
+"""What a column is called for want of a name, here and by NumPy."""
+_HEAD, _LONGEST, _HALF = 2_000, 100_000, 0.5
+"""Lines that show the layout, the longest preamble that is searched for numbers, and the share of its cells that say
+what a column holds: a few may be spoilt."""
 
 
 @dataclass(frozen=True)
@@ -120,35 +127,52 @@ def _lines(source: Path | bytes, name: str) -> Iterator[Iterator[str]]:
     with unpacked(source, name) as stream:
         lines = lines_of(stream, name)
         try:
-            yield with_clock(lines)
+            yield with_times(with_clock(lines))
         finally:
             lines.close()
 
 
 def _of_text(source: Path | bytes, name: str, how: How) -> Source:
     head, layout = _layout(source, name, how)
-    names = layout.header or tuple(f"column {i + 1}" for i in range(layout.width))
+    names = layout.header
     rows = [layout.cells(line) for line in head[layout.start :] if not is_comment(line)]
     rows = [row for row in rows if len(row) == layout.width]
     # A column of times of day may have a few spoilt cells.
-    stamps = [i for i in range(layout.width) if sum(is_stamp(row[i]) for row in rows) > 0.5 * len(rows)]
+    columns = [[row[i] for row in rows] for i in range(layout.width)]
+    stamps = {i: order_of(cells) for i, cells in enumerate(columns) if _share(is_stamp(c) for c in cells) > _HALF}
 
     def read(wanted: Sequence[int]) -> Body:
         with _lines(source, name) as lines:
-            return read_body(lines, layout, wanted, stamps)
+            body = read_body(lines, layout, wanted, stamps)
+        # Times of day without a date go on at midnight.
+        daily = {c: past_midnight(body.columns[c]) for c in wanted if stamps.get(c) == ""}
+        return replace(body, columns={**body.columns, **daily})
+
+    def value(cell: str, place: int) -> float:
+        found = seconds_of_stamp(cell, stamps[place]) if place in stamps else number(cell, layout.mark(place))
+        return np.nan if found is None else found
 
     def sample(wanted: Sequence[int]) -> dict[int, Array]:
-        def value(cell: str, place: int) -> float:
-            found = seconds_of_stamp(cell) if place in stamps else number(cell, layout.decimal)
-            return np.nan if found is None else found
+        return {c: np.array([value(cell, c) for cell in columns[c]]) for c in wanted}
 
-        return {c: np.array([value(row[c], c) for row in rows]) for c in wanted}
+    if not names:
+        # Beside the samples some oscilloscopes write their settings, in the first rows of columns that are empty else.
+        known = [_share(value(cell, c) == value(cell, c) for cell in cells) > _HALF for c, cells in enumerate(columns)]
+        names = names_in_rows(columns, known)
 
     # A reading that another program would not share is told.
     told = [f"decimal comma, cells separated by {layout.separator!r}"] if layout.decimal == "," else []
     above = head[: layout.start]
+    told += ["the columns have different decimal marks"] if layout.others else []
     told += ["a comma or point groups thousands"] if layout.thousands else []
-    return Source(name, names, bool(layout.header), read, sample, tuple(told), rate_in(above), frequency_in(above))
+    headed = not all(_NO_NAME.fullmatch(n) for n in names if n)
+    return Source(name, names, headed, read, sample, tuple(told), rate_in(above), frequency_in(above))
+
+
+def _share(flags: Iterable[bool]) -> float:
+    """How many of them hold, 0 of none."""
+    held = list(flags)
+    return sum(held) / len(held) if held else 0.0
 
 
 def _layout(source: Path | bytes, name: str, how: How) -> tuple[list[str], Layout]:
@@ -167,10 +191,21 @@ def _layout(source: Path | bytes, name: str, how: How) -> tuple[list[str], Layou
                 head += more
 
 
+def _with_index(frame: Any) -> Any:
+    """An index that has a name or holds times is a column like others."""
+    index = frame.index
+    if index.name is None and index.dtype.kind not in "Mm":
+        return frame
+    named = frame.copy(deep=False)
+    named.index.name = index.name if index.name is not None else "time"
+    return frame if str(named.index.name) in map(str, frame.columns) else named.reset_index()
+
+
 def _of_frame(frame: Any, name: str, how: How) -> Source:
+    frame = _with_index(frame)
     names = tuple(str(c).strip() for c in frame.columns)
     # pandas numbers columns that have no names.
-    headed = not all(isinstance(c, int) for c in frame.columns) and not all(n.startswith("column ") for n in names)
+    headed = not all(isinstance(c, int) for c in frame.columns) and not all(_NO_NAME.fullmatch(n) for n in names)
     if not headed:
         names = tuple(f"column {i + 1}" for i in range(len(names)))
 
@@ -195,7 +230,9 @@ def _numbers(column: Any, place: int, unread: Unread, decimal: str) -> Array:
             (pandas.to_timedelta(column - start) if kind == "M" else column).dt.total_seconds(), dtype=float
         )
     found = np.full(len(column), np.nan)
-    for i, cell in enumerate(column.tolist()):
+    cells = column.tolist()
+    order = order_of([cell for cell in cells if isinstance(cell, str)])
+    for i, cell in enumerate(cells):
         if cell is None or cell != cell:
             continue
         if isinstance(cell, int | float | np.integer | np.floating) and not isinstance(cell, bool):
@@ -203,7 +240,7 @@ def _numbers(column: Any, place: int, unread: Unread, decimal: str) -> Array:
             continue
         value = number(cell, decimal) if isinstance(cell, str) else None
         if isinstance(cell, str) and is_stamp(cell):
-            value = seconds_of_stamp(cell)
+            value = seconds_of_stamp(cell, order)
         if value is None:
             unread.add(i, place, str(cell)[:60])
         else:

@@ -22,12 +22,13 @@ from asymptotics.decays.records.cells import MARKS
 from asymptotics.decays.records.choosing import chosen, read_as
 from asymptotics.decays.records.clocked import clocked
 from asymptotics.decays.records.columns import KINDS, Choice
+from asymptotics.decays.records.error_names import errors_beside
 from asymptotics.decays.records.levels import amplitudes, is_logarithmic
-from asymptotics.decays.records.peaks import counts_cycles, is_double, is_envelope, peaks_of_one_side
+from asymptotics.decays.records.peaks import counts_cycles, is_double, is_envelope, peaks_of_one_side, turns
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.decays.records.uncertainties import errors_of
-from asymptotics.decays.records.units import GRAVITY, SECONDS, UNITS, seconds, standard, suffix, unit_of
+from asymptotics.decays.records.units import GRAVITY, SECONDS, UNITS, seconds, since, standard, suffix, unit_of
 from asymptotics.errors import InputError, require_choice
 
 Array = NDArray[np.float64]
@@ -80,7 +81,9 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     unit, time = units_said(unit)
     how = how or How()
     given = clocked(opened(source, how), how)
-    named = [name for name in given.names if name]
+    # A mark such as ± may stand behind each column.
+    marks = errors_beside(given.names)
+    named = [name for place, name in enumerate(given.names) if name and place not in marks]
     # Names that stand twice can still be told by their places.
     if len(set(named)) < len(named) and how.columns is None:
         raise InputError(
@@ -99,17 +102,24 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
         found = _as_amplitudes(found, given.names[choice.places["x"]], given.frequency)
     elif found.kind == "turning-points":
         found = _as_counted(_halved(found, given.names[choice.places["x"]]), given.names[choice.places["n"]])
-    return _with_errors(found, choice, given, time) if found.kind == "turning-points" else found
+    return _with_errors(found, choice, given, time)
 
 
 def _with_errors(table: RecordTable, choice: Choice, given: Source, time: str) -> RecordTable:
-    """Turning points with the errors that stand beside them, as ``sigma_x`` and ``sigma_t``."""
+    """Turning points with the errors that stand beside them, as ``sigma_x`` and ``sigma_t``; of samples, that they are
+    not used."""
     places = errors_of(given.names, choice.places)
+    if table.kind != "turning-points":
+        listed = ", ".join(repr(given.names[place]) for place in sorted(places.values()))
+        unused = (f"errors not used: {listed}; the samples tell their own",) if listed else ()
+        return replace(table, notes=(*table.notes, *unused))
     body = given.read(list(places.values()) or [choice.places["x"]])
     rows = np.searchsorted(body.lines, table.rows.lines) if table.rows.lines is not None else slice(None)
     errors = {f"sigma_{c}": body.columns[place][rows] for c, place in places.items()}
     # One that is 0, or missing, weighs nothing.
     errors = {c: values for c, values in errors.items() if (values > 0).all() and np.isfinite(values).all()}
+    # dt and dx may be the steps of the rows, and no errors.
+    errors = {c: values for c, values in errors.items() if not _are_steps(values, _column_of(table, c))}
     if "sigma_t" in errors:
         clock = given.names[places["t"]]
         errors["sigma_t"] = errors["sigma_t"] * (seconds(clock, given.name, time) if suffix(clock) in SECONDS else 1.0)
@@ -118,6 +128,17 @@ def _with_errors(table: RecordTable, choice: Choice, given: Source, time: str) -
     named = ", ".join(repr(given.names[places[c.removeprefix("sigma_")]]) for c in errors)
     said = f"errors from {named}: their proportions weigh the fit, their size is found with it"
     return replace(table, columns={**table.columns, **errors}, notes=(*table.notes, said))
+
+
+def _column_of(table: RecordTable, errors: str) -> Array:
+    return table.columns["tau" if errors == "sigma_t" and "tau" in table.columns else "x"]
+
+
+def _are_steps(values: Array, of: Array) -> bool:
+    """Whether a column holds what another one, or its size, changes by from row to row."""
+    steps = np.abs(np.concatenate([np.diff(of)[None], np.diff(np.abs(of))[None]]))
+    near = 1e-3 * np.abs(of).max()
+    return any(np.allclose(part, row, rtol=0, atol=near) for row in steps for part in (values[1:], values[:-1]))
 
 
 def _halved(table: RecordTable, name: str) -> RecordTable:
@@ -161,9 +182,12 @@ def _as_peaks(table: RecordTable, name: str) -> RecordTable:
     """Peaks of one side as turning points; a sampled motion as it is."""
     t, x = table.columns["t"], table.columns["x"]
     n = peaks_of_one_side(name, t, x)
+    said = "peaks of one side, a period apart (n = 0, 2, 4, ...)"
+    if n is None:
+        n, said = turns(t, x), "turning points of both sides, half a period apart"
     if n is None:
         return table
-    said = f"{name!r}: {len(n)} peaks of one side, a period apart (n = 0, 2, 4, ...); --kind record overrules"
+    said = f"{name!r}: {len(n)} {said}; --kind record overrules"
     return replace(table, kind="turning-points", columns={"n": n, "x": x, "tau": t}, notes=(*table.notes, said))
 
 
@@ -229,7 +253,10 @@ def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time
     for column in ("t", "tau"):
         if column in columns:
             # Times become seconds; x keeps its unit, to which strengths refer.
-            size = seconds(given.names[choice.places[column]], given.name, time)
+            name = given.names[choice.places[column]]
+            since_1970 = "" if time or suffix(name) else since(columns[column])
+            notes += [f"{name!r}: {since_1970} since 1970"] if since_1970 else []
+            size = seconds(name, given.name, time or since_1970)
             columns[column] = columns[column] * size
             clock = next(name for name, known in SECONDS.items() if known == size)
     measured = [

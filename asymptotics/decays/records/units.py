@@ -12,8 +12,12 @@ import re
 from collections.abc import Sequence
 from fractions import Fraction
 
+import numpy as np
+from numpy.typing import NDArray
+
 from asymptotics.errors import InputError
 
+Array = NDArray[np.float64]
 _PI = Fraction(
     "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534211706798214808651"
     "328230664709384460955058"
@@ -82,10 +86,13 @@ def without_run(column: str) -> str:
 
 
 def suffix(column: str) -> str:
-    """The unit in a column's name: in brackets at its end, after a slash, or a known one after its last underscore.
+    """The unit in a column's name: in brackets at its end, after a slash, or a known one after its last underscore,
+    comma, ``in`` or space, or as its whole name.
 
     >>> suffix("x [in]"), suffix("x_inch"), suffix("x_in")              # x_in may be an input
     ('in', 'in', '')
+    >>> [suffix(name) for name in ("t in ms", "Position, m", "Angle deg", "Height h", "ms", "x min", "gain in use")]
+    ['ms', 'm', 'deg', '', 'ms', '', '']
     """
     column = without_run(column)
     if column.lower() in _CLOCKS:
@@ -98,7 +105,15 @@ def suffix(column: str) -> str:
     if found and not _is_known(standard(column)):
         return standard(found[1])
     found = re.fullmatch(r".*_([^_]+)", column)
-    return standard(found[1]) if found and found[1] != "in" and _is_known(standard(found[1])) else ""
+    if found and found[1] != "in" and _is_known(standard(found[1])):
+        return standard(found[1])
+    found = re.fullmatch(r".*\S(?:,\s*|\s+in\s+)(\S+)\s*", column)
+    if found and _is_known(standard(found[1])):
+        return standard(found[1])
+    # A word of one letter is the symbol of something, and min and in are words.
+    last = standard(column.split()[-1]) if column.split() else ""
+    sure = _is_known(last) and last not in ("in", "min") and (len(last) > 1 or column.split()[-1] != last)
+    return last if sure else ""
 
 
 def seconds(column: str, name: str, said: str = "") -> float:
@@ -114,6 +129,19 @@ def seconds(column: str, name: str, said: str = "") -> float:
     if said and named and SECONDS[said] != SECONDS[named]:
         raise InputError("unit", f"{said} contradicts the column {column} of {name}", named)
     return SECONDS.get(said or named, 1.0)
+
+
+def since(times: Array) -> str:
+    """The unit of a clock without one that counts from 1970, as those of computers do, by its size; empty for another.
+
+    A count of seconds needs no unit; the years are 2001 to 2100.
+
+    >>> since(np.array([1.7e12, 1.7e12 + 20])), since(np.array([1.7e9, 1.7e9 + 1])), since(np.array([0.0, 20.0]))
+    ('ms', '', '')
+    """
+    known = times[np.isfinite(times)]
+    first, last = (float(known.min()), float(known.max())) if len(known) else (0.0, 0.0)
+    return next((u for u in ("ms", "us", "ns") if first * SECONDS[u] > 1e9 and last * SECONDS[u] < 4.1e9), "")
 
 
 def unit_of(columns: Sequence[str], unit: str, name: str) -> str:

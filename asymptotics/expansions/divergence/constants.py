@@ -32,7 +32,7 @@ from asymptotics.expansions.divergence.germ import Germ, germ, majorants
 from asymptotics.expansions.divergence.petal import Petal, petal
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.running.budget import require_seconds, tick
+from asymptotics.running.budget import Unasked, allowed, require_seconds, tick
 
 ROUGH_ORDER, ROUGH_BITS = 24, 100
 """Of the first germ, from which the petal is taken."""
@@ -41,7 +41,7 @@ ROUGH_ORDER, ROUGH_BITS = 24, 100
 SPACING = 0.25
 # Limits of time: near alpha = 1 all grows like 1/|alpha - 1|.
 MAX_ORDER = 400
-MAX_SECONDS = 600.0
+MAX_SECONDS = Unasked(600)
 
 
 @dataclass(frozen=True)
@@ -122,6 +122,7 @@ def require_affordable(alpha: ExactReal, plan: Effort, max_seconds: float) -> No
     # log2(5.5) = 2.46 bits a node, on the widest of the ellipses of ``nodes``.
     seconds = node_seconds(plan.order, int(plan.bits / 2.4) + 10, plan.bits)
     told = f"the germ to order {plan.order} at {plan.bits} bits"
+    max_seconds = allowed(max_seconds)
     if plan.order > MAX_ORDER or seconds > max_seconds:
         reason = f"{alpha} needs {told}, an estimated {seconds:.0f} s"
         raise LimitError("alpha", reason, f"order {MAX_ORDER} and {max_seconds:.0f} s: farther from 1, or fewer digits")

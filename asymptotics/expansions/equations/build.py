@@ -22,7 +22,7 @@ from asymptotics.expansions.normal_form.coefficients import expansion_coefficien
 from asymptotics.expansions.normal_form.results import Coefficients
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.law import LawLike, SpringLike
-from asymptotics.numbers.policy import Number, exact_integer, exact_seconds
+from asymptotics.numbers.policy import Number, exact_integer
 from asymptotics.running.public import public
 from asymptotics.terms import Term
 
@@ -35,16 +35,52 @@ def expand(
     law: LawLike, *, order: int = 4, gauge: str = TURNING_POINT, digits: int = 30, spring: SpringLike | None = None,
     exact: bool = False, max_seconds: Number = 60,
 ) -> Equations:  # fmt: skip
-    """The amplitude and phase equations through delta^order (derivations ``half-swing-equations``, ``no-logarithms``).
+    """The amplitude and phase equations through delta^order, delta = epsilon A^(alpha-1) in units m = k = x0 = 1.
 
-    ``law``: an exponent (the coefficients need no strength), a list of exponents, a ``Law`` or mapping (epsilons), an
-    ``Oscillator`` (then amplitudes are in metres and times in seconds), or "symbolic".  ``digits`` correctly rounded
-    significant digits of every coefficient; ``exact=True`` demands exact ones (integer exponents).
-    InputError for anything else; LimitError when the estimate is above ``max_seconds``; UndecidedError where balls
-    cannot round a coefficient.
+        dA/dtau = -A (p_1 delta + p_2 delta^2 + ...),    dpsi/dtau = 1 + Omega_1 delta + Omega_2 delta^2 + ...
+
+    Source: derivations ``half-swing-equations``, ``no-logarithms``.
+
+    Parameters
+    ----------
+    law
+        an exponent (the coefficients need no strength), a list of exponents, a ``Law`` or mapping exponent -> epsilon,
+        an ``Oscillator`` (amplitudes are in m then, times in s), or "symbolic"
+    order
+        the last power of delta, 1 to 200
+    gauge
+        what A and psi are: "turning-point", "averaging" or "no-first-harmonic"
+    digits
+        correctly rounded significant digits of every coefficient
+    spring
+        springs beside the linear one, {P: c} or {(P, Q): c} for c x|x|^(P-1) |x'|^Q, or "pendulum"
+    exact
+        demand exact coefficients, which integer exponents have
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    Equations
+        ``p`` and ``Omega`` by k, ``latex``, ``to_sympy``, ``lambdify``, ``observables``; formal: no bound on the
+        remainder
+
+    Raises
+    ------
+    InputError
+        for what is no law, an order out of range, an unknown gauge, and exact coefficients where there are none
+    LimitError
+        where the estimate is above ``max_seconds``
+    UndecidedError
+        where balls cannot round a coefficient
+
+    Examples
+    --------
+    >>> found = expand("3/2", order=2)
+    >>> found.p[1].value[:12], found.Omega[2].exact
+    ('0.4576558581', '-12/(25*pi)')
     """
     N, D = exact_integer(order, "order", 1, MAX_ORDER), exact_integer(digits, "digits", 1, MAX_DIGITS)
-    seconds = exact_seconds(max_seconds)
     require_gauge(gauge)
     require_flag(exact, "exact")
     if isinstance(law, str) and law.strip() == "symbolic":
@@ -54,7 +90,7 @@ def expand(
     terms, strengths, oscillator, notes = terms_of(law, spring)
     if len(terms) > MAX_TERMS:
         raise InputError("law", f"{len(terms)} different terms are too many", f"at most {MAX_TERMS}")
-    found = expansion_coefficients(terms, N, D, gauge, exact_only=exact, max_seconds=seconds)
+    found = expansion_coefficients(terms, N, D, gauge, exact_only=exact)
     return _equations(found, terms, law=strengths, oscillator=oscillator, notes=notes)
 
 

@@ -57,8 +57,8 @@ def compare_functions(
 ) -> EquationsComparison:
     """``rates`` against a user's (A, psi) -> (dA/dtau, dpsi/dtau), at A and A/2."""
     # At A/4 and A/8 the lowest power rules: the quotient of the two gaps is 2 to that power.
-    gaps = [_gap(rates, other, A / 2**i) for i in (2, 3)]
-    differences = dict(zip(("dA/dtau", "dpsi/dtau"), _gap(rates, other, A)))
+    gaps = [_differences(rates, other, A / 2**i) for i in (2, 3)]
+    differences = dict(zip(("dA/dtau", "dpsi/dtau"), _differences(rates, other, A)))
     parts = []
     for (name, at), wide, narrow in zip(differences.items(), *gaps):
         # Fifty units of the last place of a rate near 1: rounding, and no difference.
@@ -73,7 +73,7 @@ def compare_functions(
     return EquationsComparison(agree, differences, f"function: {', '.join(parts)}")
 
 
-def _gap(rates: Callable[..., tuple[Any, Any]], other: Callable[..., Any], A: float) -> tuple[float, float]:
+def _differences(rates: Callable[..., tuple[Any, Any]], other: Callable[..., Any], A: float) -> tuple[float, float]:
     try:
         mine, theirs = rates(A, 0.0), other(A, 0.0)
         found = abs(float(mine[0]) - float(theirs[0])), abs(float(mine[1]) - float(theirs[1]))

@@ -86,9 +86,10 @@ class Equations(Rows):
     def lambdify(
         self, modules: str = "numpy", *, epsilon: Any = None, max_seconds: Number = 60
     ) -> Callable[..., tuple[Any, Any]]:
-        """``f(A, psi) -> (dA/dtau, dpsi/dtau)``, for NumPy arrays or, with "mpmath", at the precision in force.
+        """``f(A, psi) -> (dA/dtau, dpsi/dtau)``, as a function of numbers.
 
-        Where no strength is known or given it is an argument of the function: ``f(A, psi, epsilon)``.
+        ``modules``: "numpy", for arrays, or "mpmath", at the precision in force. ``epsilon``: the strength, one for
+        each law; where none is known or given it is an argument of the function, ``f(A, psi, epsilon)``.
 
         >>> from asymptotics.expansions.equations.build import expand
         >>> expand(3, order=2).lambdify()(0.5, 0.0, 0.1) == expand({3: "1/10"}, order=2).lambdify()(0.5)
@@ -109,7 +110,7 @@ class Equations(Rows):
         return rates(p, Omega, self.strengths.numbers(modules, epsilon), modules)
 
     def rhs(self, t: float, y: Any) -> list[Any]:
-        """The right side for ``scipy.integrate.solve_ivp``: y = (A, psi)."""
+        """The right side for ``scipy.integrate.solve_ivp``: the rates of ``y`` = (A, psi), at any ``t``."""
         from asymptotics.expansions.equations.rates import state_of  # noqa: PLC0415 (as above)
 
         return list(self(*state_of(y)))
@@ -134,7 +135,10 @@ class Equations(Rows):
 
     @public
     def observables(self, A: Any = None, epsilon: Any = None, *, max_seconds: Number = 60) -> Observables:
-        """Half period, decrement, Q and energy loss at the turning amplitude A (default: the start), any gauge."""
+        """Half period, decrement, Q and energy loss at the turning amplitude A (default: the start), any gauge.
+
+        ``A``: in m for an oscillator, else in units of x0; ``epsilon``: the strengths, where the equations have none.
+        """
         if not self.terms:
             raise InputError("alpha", "it is symbolic", "an exponent")
         strengths, weights, _ = self.strengths.numbers("numpy", epsilon)
@@ -152,7 +156,10 @@ class Equations(Rows):
         *,
         max_seconds: Number = 60,
     ) -> EquationsComparison:
-        """Against equations in any gauge or order (observables), or a function (A, psi) -> rates in this gauge."""
+        """Against ``other`` equations of any gauge or order (observables), or a function (A, psi) -> rates in this one.
+
+        ``A``, ``epsilon``: as for ``observables``.
+        """
         if isinstance(other, Equations):
             names = (f"{eq.gauge} order {eq.order}" for eq in (self, other))
             return compare_rows(self.observables(A, epsilon), other.observables(A, epsilon), *names)
@@ -174,7 +181,7 @@ class Equations(Rows):
         return best_truncation(self.terms[0].velocity, exact_number(delta, "delta"))
 
     def latex(self, digits: int = show.SHOWN_DIGITS) -> str:
-        """The two equations in LaTeX, coefficients to at most ``digits`` digits where they have no short exact form."""
+        """The equations in LaTeX, coefficients to at most ``digits`` digits where they have no short exact form."""
         D = exact_integer(digits, "digits", 1, show.MAX_DIGITS)
         time, names = (r"\tau" if self.oscillator is None else "t"), self._names(r"\delta", "_{%d}")
         p, Omega = show.sum_latex(self.p.keyed(), names, "", D), show.sum_latex(self.Omega.keyed(), names, "1", D)

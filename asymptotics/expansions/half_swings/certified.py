@@ -52,14 +52,14 @@ from asymptotics.expansions.half_swings.quarter import QuarterSwing
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import MAX_ORDER
 from asymptotics.numbers.integers import require_integer
-from asymptotics.running.budget import require_seconds
+from asymptotics.running.budget import Unasked, require_seconds
 from asymptotics.series import Series
 
 # Bounds are wanted to a digit or two; they are balls, so that 64 bits cannot make them too small.
 BOUND_BITS = 64
 # sigma vanishes at t = 4 itself; the suprema are those of the open disc, where every function is bounded.
 RADIUS = 4
-MAX_SECONDS = 600.0
+MAX_SECONDS = Unasked(600)
 _GUARD = (24, 1.25)
 
 

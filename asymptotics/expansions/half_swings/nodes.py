@@ -121,7 +121,7 @@ class _Ellipse:
         # Six nodes more than the estimate of doubles; what they leave is ``gap``, an upper bound.
         return int((bits * log(2) + largest) / log(float(self.rho))) + 6
 
-    def gap(self, nodes: int, bound: arb) -> arb:
+    def interpolation_error(self, nodes: int, bound: arb) -> arb:
         """How far a function of this bound is from its interpolant."""
         with ctx.workprec(BOUND_BITS):
             return arb((4 * bound * self.rho ** (1 - nodes) / (self.rho - 1)).upper())
@@ -181,7 +181,7 @@ class _Orders:
         """Of H f from the sums of f T_k over the nodes: coefficients, and how far f and its interpolant are apart."""
         # Discrete orthogonality of the T_k: the coefficients of the interpolant.
         coefficients = [2 * x / self.nodes for x in means]
-        return _solved(coefficients, beta), self.ellipse.gap(self.nodes, bound) / beta
+        return _solved(coefficients, beta), self.ellipse.interpolation_error(self.nodes, bound) / beta
 
 
 def _solved(f: Sequence[arb], beta: arb) -> list[arb]:

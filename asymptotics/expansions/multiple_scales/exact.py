@@ -49,13 +49,13 @@ from asymptotics.expansions.half_swings.grading import Grading
 from asymptotics.graded import WholePowers, monomial_part, summed
 from asymptotics.numbers.exact import MAX_ORDER
 from asymptotics.numbers.integers import require_integer
-from asymptotics.running.budget import tick
+from asymptotics.running.budget import Unasked, tick
 from asymptotics.series import Key, Series, accumulate, monomials
 from asymptotics.terms import Term
 
 Part = dict[Key, fmpq_poly]
 GAUGE = "no-first-harmonic"
-MAX_SECONDS = 60.0
+MAX_SECONDS = Unasked(60)
 
 
 @dataclass(frozen=True)

@@ -67,16 +67,42 @@ def multiple_scales(
     gauge: str | None = None,
     max_seconds: Number = 60,
 ) -> MultipleScales:
-    """The hierarchy T_0, T_1, ... solved through ``order``, for every law.
+    """The hierarchy of multiple scales T_0, T_1, ... solved through ``order``, for every law.
 
-    ``law``: an exponent, a list of exponents, a law, an oscillator, or "symbolic"; ``spring``: {P: c} or {(P, Q): c}
-    for c x|x|^(P-1) |x'|^Q, or "pendulum".  ``gauge``: by default no-first-harmonic for polynomial forces (|x|^M
-    x'|x'|^(A-1) with A odd and M even, springs with P odd and Q even), else turning-point.  Exact to any order for
-    integer exponents; for others what closes is closed and the rest are named integrals, with certified digits where
-    the exponents are numbers, through order 12.
+    Exact to any order for integer exponents; for others what closes is closed and the rest are named integrals, with
+    certified digits where the exponents are numbers, through order 12.
 
-    InputError for an order out of range, an unknown gauge or one that does not exist for the law, and where |x|^M of
-    odd M or x|x|^(P-1) of even P meets an order at which its derivative is no function; LimitError for too much work.
+    Parameters
+    ----------
+    law
+        an exponent, a list of exponents, a law, an oscillator, or "symbolic"
+    order
+        the last order that is solved, 1 to 60
+    spring
+        springs beside the linear one, {P: c} or {(P, Q): c} for c x|x|^(P-1) |x'|^Q, or "pendulum"
+    gauge
+        "turning-point" or "no-first-harmonic"; by default the latter for polynomial forces (|x|^M x'|x'|^(A-1) with A
+        odd and M even, springs with P odd and Q even), else the former
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    MultipleScales
+        ``orders``, each with its equation, solvability conditions and solution; ``amplitude_rate`` and ``phase_rate``
+
+    Raises
+    ------
+    InputError
+        for an order out of range, an unknown gauge or one that does not exist for the law, and where |x|^M of odd M or
+        x|x|^(P-1) of even P meets an order at which its derivative is no function
+    LimitError
+        for too much work, with the estimate
+
+    Examples
+    --------
+    >>> multiple_scales("3/2", order=2).phase_rate
+    -12*a*epsilon**2/(25*pi) + 1
     """
     N = exact_integer(order, "order", 1, MAX_ORDER)
     # The one text that is no exponent: a letter alpha, for which every coefficient must be a formula.
@@ -146,11 +172,33 @@ def _require_open(order: int) -> None:
 def map_of_gauges(
     law: LawLike, *, order: int = 2, spring: SpringLike | None = None, max_seconds: Number = 60
 ) -> dict[str, Expr]:
-    """The exact map from no-first-harmonic to turning-point through ``order``: the new amplitude and phase.
+    """The exact map from the gauge no-first-harmonic to turning-point: A = a exp(lambda), psi_tp = psi + chi.
 
-    A = a exp(lambda), psi_tp = psi + chi with lambda, chi series in the local strengths; ``law`` and ``spring`` as in
-    ``multiple_scales``.  InputError where no-first-harmonic does not exist.
+    lambda and chi are series in the local strengths.
 
+    Parameters
+    ----------
+    law
+        an exponent, a list of exponents, a law or an oscillator
+    order
+        the last power of the strengths
+    spring
+        springs beside the linear one, {P: c} or {(P, Q): c} for c x|x|^(P-1) |x'|^Q, or "pendulum"
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    dict
+        "A" and "psi_tp" -> SymPy expressions in a, psi and the strengths
+
+    Raises
+    ------
+    InputError
+        where the gauge no-first-harmonic does not exist
+
+    Examples
+    --------
     >>> found = map_of_gauges(3)
     >>> found["A"], found["psi_tp"]
     (-87*a**5*epsilon**2/2048 + a, 9*a**2*epsilon/32 + psi)
@@ -179,12 +227,30 @@ def ordered(terms: Sequence[Term], scales: MultipleScales) -> list[Term]:
 
 @public
 def any_start(scales: MultipleScales, *, max_seconds: Number = 60) -> dict[str, Expr]:
-    """a(0) and psi(0) for X(0) = r cos theta, X'(0) = -r sin theta, 0 < theta < pi, through the order of ``scales``.
+    """a(0) and psi(0) for the start X(0) = r cos theta, X'(0) = -r sin theta, 0 < theta < pi.
 
-    A start with X' > 0 is minus one of these: theta and psi move by pi.  Any order where the waveforms are polynomials;
-    other exponents through order 2 of one law and 1 of a sum (``multiple_scales.open_start``).  InputError beyond, in
-    the gauge no-first-harmonic, and beside springs of an open hierarchy.
+    A start with X' > 0 is minus one of these: theta and psi move by pi.
 
+    Parameters
+    ----------
+    scales
+        what ``multiple_scales`` has returned, to any order where the waveforms are polynomials; of other exponents
+        through order 2 of one law and 1 of a sum (``multiple_scales.open_start``)
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    dict
+        "a(0)" and "psi(0)" -> SymPy expressions in r, theta and the strengths, through the order of ``scales``
+
+    Raises
+    ------
+    InputError
+        beyond these orders, in the gauge no-first-harmonic, and beside springs of an open hierarchy
+
+    Examples
+    --------
     >>> any_start(multiple_scales(2, order=1))["psi(0)"]
     -epsilon*r*sin(theta)*cos(theta)**2/3 + epsilon*r*sin(theta)/3 + theta
     >>> any_start(multiple_scales("3/2", order=1))["psi(0)"]

@@ -45,11 +45,11 @@ from asymptotics.gauges import TURNING_POINT
 from asymptotics.graded import WholePowers, monomial_part, summed
 from asymptotics.numbers.exact import MAX_ORDER
 from asymptotics.numbers.integers import require_integer
-from asymptotics.running.budget import tick
+from asymptotics.running.budget import Unasked, tick
 from asymptotics.series import Key, Series, accumulate, monomials
 
 Part = dict[Key, Wave]
-MAX_SECONDS = 60.0
+MAX_SECONDS = Unasked(60)
 ACCEPTED = "losses |x|^M x'|x'|^(A-1), A an integer and M even, springs x^P |x'|^Q, P odd and Q an integer"
 
 

@@ -35,9 +35,10 @@ from asymptotics.expansions.normal_form.gauges import (
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.numbers.exact import MAX_ORDER
 from asymptotics.numbers.integers import require_integer
+from asymptotics.running.budget import Unasked
 from asymptotics.series import Series
 
-MAX_SECONDS = 60.0
+MAX_SECONDS = Unasked(60)
 
 
 @dataclass(frozen=True)

@@ -30,9 +30,31 @@ MAX_U, MAX_RADIUS_W, MAX_DIGITS, MAX_TIME = 100, 10, 1000, 10**12
 def S(u: Number, w: Number, *, digits: int = 30, max_seconds: Number = 60) -> Coefficient:
     """S = e^(2 s u) (w^2/2 + s u/2 - 1/4), s the sign of w: the same number all along a half-swing (Smith 2012, (40)).
 
-    At w = 0 the point belongs to the half-swing that it starts: s = -sign(u).  Correctly rounded; InputError for
-    u or w beyond 100 in size.
+    At w = 0 the point belongs to the half-swing that it starts: s = -sign(u).
 
+    Parameters
+    ----------
+    u
+        gamma x, without a unit, from -100 to 100
+    w
+        gamma x'/omega, without a unit, from -100 to 100
+    digits
+        significant digits, correctly rounded
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    Coefficient
+        its digits ``value``, ``interval()``, ``ball()``
+
+    Raises
+    ------
+    InputError
+        for u or w beyond 100 in size
+
+    Examples
+    --------
     >>> S(0, "1/2").value, S("1/2", 0, digits=8).interval()
     ('-0.125000000000000000000000000000', mpi('-0.183939725', '-0.183939715'))
     """
@@ -49,11 +71,37 @@ def S(u: Number, w: Number, *, digits: int = 30, max_seconds: Number = 60) -> Co
 
 @public
 def T(u: Number, w: Number, tau: Number = 0, *, digits: int = 30, max_seconds: Number = 60) -> Coefficient:
-    """T = omega t - (omega times the time since the last turning point), tau = omega t: when that half-swing began.
+    """T = omega t - (omega times the time since the last turning point): when the half-swing of (u, w) began.
 
-    Source: Smith 2012, (69), by quadrature on either branch.  InputError where S >= 0: no turning point came before;
-    LimitError where the digits, or those that are lost next to a turning point, take longer than there is time.
+    Source: Smith 2012, (69), by quadrature on either branch.
 
+    Parameters
+    ----------
+    u
+        gamma x, without a unit, from -100 to 100
+    w
+        gamma x'/omega, without a unit, from -100 to 100
+    tau
+        omega t at that point, without a unit
+    digits
+        significant digits, correctly rounded
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    Coefficient
+        its digits ``value``, ``interval()``, ``ball()``
+
+    Raises
+    ------
+    InputError
+        where S >= 0: no turning point came before
+    LimitError
+        where the digits, or those that are lost next to a turning point, take longer than there is time
+
+    Examples
+    --------
     >>> print(T("1/4", "-1/4", 3, digits=12))
     2.16811921419
     """
@@ -84,9 +132,33 @@ def T(u: Number, w: Number, tau: Number = 0, *, digits: int = 30, max_seconds: N
 
 @public
 def radii(w: Number, *, digits: int = 30, max_seconds: Number = 60) -> tuple[Coefficient, Coefficient]:
-    """(R, rho): sum_n f_n(w) z^n converges where z is below R in size, absolutely over i and n at once below rho <= R.
+    """(R, rho): sum_n f_n(w) z^n converges for abs(z) < R, absolutely over i and n at once for abs(z) < rho <= R.
 
-    InputError unless 0 < abs(w) <= 10.  Source: derivation ``smith-series-radii``.
+    Source: derivation ``smith-series-radii``.
+
+    Parameters
+    ----------
+    w
+        gamma x'/omega, without a unit, 0 < abs(w) <= 10
+    digits
+        significant digits, correctly rounded
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    tuple
+        R and rho, each a ``Coefficient``
+
+    Raises
+    ------
+    InputError
+        for w = 0 and beyond 10 in size
+
+    Examples
+    --------
+    >>> [str(radius) for radius in radii("1/2", digits=8)]
+    ['0.97158589', '0.73655239']
     """
     speed, D = exact_number(w, "w"), exact_integer(digits, "digits", 1, MAX_DIGITS)
     if speed.is_zero or not abs(speed) <= MAX_RADIUS_W:

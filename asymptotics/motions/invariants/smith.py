@@ -21,18 +21,74 @@ MAX_ROW, MAX_N, MAX_G = 5_000, 10_000, 100
 
 @public
 def f(n: int, *, max_seconds: Number = 60) -> dict[int, Fraction]:
-    """Smith's polynomial f_n(w) = sum_i C_i^n w^i: i -> C_i^n (Smith 2012, (59) and (62)), exactly."""
+    """Smith's polynomial f_n(w) = sum_i C_i^n w^i, exactly (Smith 2012, (59) and (62)).
+
+    Parameters
+    ----------
+    n
+        its index, an integer >= 1
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    dict
+        i -> C_i^n, where it is not 0
+
+    Examples
+    --------
+    >>> f(3)
+    {0: Fraction(-1, 3), 2: Fraction(8, 15)}
+    """
     return dict(coefficients(exact_integer(n, "n", 1, MAX_ROW)))
 
 
 @public
 def C(n: int, i: int, *, max_seconds: Number = 60) -> Fraction:
-    """Smith's coefficient C_i^n, exactly."""
+    """Smith's coefficient C_i^n of w^i in f_n(w), exactly (Smith 2012, (62)).
+
+    Parameters
+    ----------
+    n
+        the index of the polynomial, an integer >= 1
+    i
+        the power of w, an integer from 0 to n - 1
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    Fraction
+        the coefficient
+
+    Examples
+    --------
+    >>> C(3, 2)
+    Fraction(8, 15)
+    """
     row = exact_integer(n, "n", 1, MAX_N)
     return coefficient(row, exact_integer(i, "i", 0, row - 1))
 
 
 @public
 def G(i: int, *, max_seconds: Number = 60) -> GeneratingFunction:
-    """The sum G_i(z) = sum_n C_i^n z^n in closed form, for any i (derivation ``smith-generating-functions``)."""
+    """The sum G_i(z) = sum_n C_i^n z^n in closed form, for any i.  Source: derivation ``smith-generating-functions``.
+
+    Parameters
+    ----------
+    i
+        the power of w, an integer >= 0
+    max_seconds
+        the time the call may take, in s
+
+    Returns
+    -------
+    GeneratingFunction
+        ``in_z()`` and ``in_angle()`` as SymPy expressions
+
+    Examples
+    --------
+    >>> print(G(0).in_z())
+    atan(z)
+    """
     return generating_function(exact_integer(i, "i", 0, MAX_G))

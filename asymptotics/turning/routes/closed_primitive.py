@@ -26,7 +26,7 @@ from asymptotics.running.budget import require_seconds
 from asymptotics.turning.energy_primitive import PrimitiveWell, primitive_serves, swings
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Ended, Kept, Points, PointsRequest, Progress
+from asymptotics.turning.table import Ended, Points, PointsDone, PointsRequest, Progress
 
 MAX_DIGITS, MAX_LAST = 1000, 100_000
 _DOUBLINGS = 5
@@ -49,7 +49,7 @@ def points(request: PointsRequest, progress: Progress = lambda done: None) -> Tu
     """
     require_seconds(primitive_seconds(request.last + 1, _bits(request)), f"{request.last + 1} half-swings")
 
-    kept = Kept(request)
+    kept = PointsDone(request)
 
     def attempt(bits: int) -> TurningPoints:
         method = f"primitive of the energy equation in balls of {bits} bits"

@@ -28,7 +28,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.dry_friction import amplitude_in_motion, half_swings_until
 from asymptotics.turning.result import Number, TurningPoints, proved_digits, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Ended, Kept, Points, PointsRequest, Progress
+from asymptotics.turning.table import Ended, Points, PointsDone, PointsRequest, Progress
 
 METHOD = "closed form, exact"
 
@@ -70,7 +70,7 @@ def _from_rest(
 ) -> tuple[Points, str, Ended]:
     """The points from X = ``side`` at rest, the method, and how they end."""
     last = last_turning_point(epsilon)
-    with Kept(request) as kept:
+    with PointsDone(request) as kept:
         made = kept.begin(lambda: METHOD, first)
         for n in range(request.start, min(request.last, last) + 1):
             made.append(proved_point(n, _place(epsilon, n, side), _time(n) if request.times else None, request.digits))

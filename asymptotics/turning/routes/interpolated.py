@@ -32,12 +32,12 @@ def serves(request: PointsRequest) -> float | None:
     """
     if not request.law.is_pure or panels_of(request.law, bits_of(request)).closed:
         return None
-    return swing_seconds(request, *_worth(request))
+    return swing_seconds(request, *_swings_and_pieces(request))
 
 
 def points(request: PointsRequest, progress: Progress = lambda done: None) -> TurningPoints:
     """The turning points as far as they exist."""
-    steps, pieces = _worth(request)
+    steps, pieces = _swings_and_pieces(request)
     require_moderate(request, swing_seconds(request, steps, pieces))
 
     def orbit() -> EnclosedMotion:
@@ -61,7 +61,7 @@ def mapped_in_words(request: PointsRequest, then: str = "") -> str:
     return found if request.in_motion else f"{found} or more"
 
 
-def _worth(request: PointsRequest) -> tuple[int, int]:
+def _swings_and_pieces(request: PointsRequest) -> tuple[int, int]:
     """How many half-swings there are, and how many by pieces they are worth."""
     steps = int(min(request.last + 1, most_swings(request.law)))
     return steps, panels_of(request.law, bits_of(request)).pieces(steps)

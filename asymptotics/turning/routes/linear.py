@@ -23,7 +23,7 @@ from asymptotics.flow.linear_spring.trapping_regions import OVERDAMPED
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.result import TurningPoint, TurningPoints, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Kept, PointsRequest, Progress
+from asymptotics.turning.table import PointsDone, PointsRequest, Progress
 
 METHOD = "closed form, certified"
 
@@ -40,7 +40,7 @@ def points(request: PointsRequest, progress: Progress = lambda done: None) -> Tu
     """The turning points as far as they exist; all digits are correctly rounded."""
     epsilon = request.epsilon
     oscillates = epsilon < 2
-    with Kept(request) as kept:
+    with PointsDone(request) as kept:
         made = kept.begin(lambda: METHOD)
         # epsilon < 2 is decided exactly; an overdamped motion has its start as the only turning point.
         for n in range(request.start, request.last + 1 if oscillates else min(request.last + 1, 1)):

@@ -23,15 +23,16 @@ from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import BITS_PER_DIGIT, MAX_BITS, bits_for
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import at_growing_precision
+from asymptotics.running.budget import Unasked
 from asymptotics.turning.quadratic_abel import quadratic_abel
 from asymptotics.turning.quadratic_duration import duration, node_count
 from asymptotics.turning.quadratic_map import amplitudes, next_amplitude
 from asymptotics.turning.result import TurningPoints, proved_point
 from asymptotics.turning.route import Route
-from asymptotics.turning.table import Kept, PointsRequest, Progress
+from asymptotics.turning.table import PointsDone, PointsRequest, Progress
 
 MAX_JUMP_DIGITS = 1_000  # the exact coefficients of the Abel function cost about digits^4
-MAX_SECONDS = 600
+MAX_SECONDS = Unasked(600)
 _HEAD, _TERMS = (7, 200), (12, 2)
 _DIRECT = 20_000  # up to this index it is cheaper to iterate than to set up the Abel function
 # Beyond them the extra bits of ``_magnitude`` or the nodes of the first half-swing are too many; other routes serve.
@@ -56,7 +57,7 @@ def points(request: PointsRequest, progress: Progress = lambda done: None) -> Tu
     # Errors add over the half-swings, and x is p over p_0, for which a small or a large epsilon costs its size.
     bits = bits_for(request.digits, 48) + 2 * (start + request.count).bit_length() + _magnitude(epsilon)
 
-    kept, name = Kept(request), "iterated map" if start <= _DIRECT else "Abel function"
+    kept, name = PointsDone(request), "iterated map" if start <= _DIRECT else "Abel function"
 
     def attempt(bits: int) -> TurningPoints:
         method = f"{name}, balls of {bits} bits"

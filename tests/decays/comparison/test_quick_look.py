@@ -10,7 +10,7 @@ from asymptotics.decays.comparison.errors import Errors, of_motion, of_turning_p
 from asymptotics.decays.comparison.quick_look import _exponent, look_of
 from tests.decays.comparison import battery
 
-DOCS = Path(__file__).parents[2] / "docs" / "tables.md"
+DOCS = Path(__file__).parents[3] / "docs" / "tables.md"
 ANSWERS = ("rounding", "truncation", "phase drift", "wrong law", "undecided")
 
 

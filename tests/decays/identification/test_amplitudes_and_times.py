@@ -110,3 +110,28 @@ def test_a_file_of_two_rows_is_asked_again_by_its_own_header(tmp_path, capsys):
     assert main(["damping", "--from", str(path), "--mass", "1/5", "--stiffness", "20", "--csv", str(csv)]) == 0
     assert main(["compare", str(csv), "--json"]) == 0
     assert json.loads(capsys.readouterr().out.partition("\n{")[2].join(["{", ""]))["rows"][1]["digits"] == "17.00"
+
+
+def test_two_rows_are_no_record_and_say_what_they_may_be(tmp_path):
+    path = tmp_path / "two.csv"
+    path.write_text("t (s),A (cm)\n0,4\n10,2\n")  # failed before: A was an acceleration in cm
+    with pytest.raises(InputError, match="14 samples; two amplitudes and a time: kind damping"):
+        asy.identify(path)
+    found = asy.identify(path, kind="damping", mass=2, stiffness=8)
+    assert strength(found, "1") == pytest.approx([2 * 2 * np.log(2) / 10])
+
+
+def test_a_mapping_and_a_file_are_read_alike(tmp_path):
+    columns = {"A (cm)": ["0.1", "0.2", "0.4"], "zeta (%)": [1.0, 1.5, 2.5], "who": ["a", "b", "c"]}
+    path = tmp_path / "table.csv"
+    path.write_text("\n".join(",".join(map(str, row)) for row in [columns, *zip(*columns.values())]))
+    for resolution in (None, "0.001"):
+        both = [asy.damping_law(table, resolution=resolution) for table in (columns, path)]
+        assert both[0].to_dict() == both[1].to_dict() and "not used: who" in both[0].notes
+    for wrong in (
+        {"A": [1, 2, 3], "zeta": [0.1, 0.2]},
+        {"A": 1.0, "zeta": [0.1, 0.2]},
+        {"A": ["x", 1], "zeta": [1, 2]},
+    ):
+        with pytest.raises(InputError):
+            asy.damping_law(wrong)

@@ -7,8 +7,8 @@ from scipy.integrate import solve_ivp
 import asymptotics as asy
 from asymptotics.decays.records.repairs import releases, spikes
 from asymptotics.errors import InputError
+from tests.worlds import RIVALS
 
-LAWS = ["1", "2", "1+2", "0+1"]
 TRUE = (0.1 / 6, 0.05)
 
 
@@ -33,7 +33,7 @@ def test_spikes_are_left_out_with_their_row():
     wild = [262, 904, 1369, 1431, 2755]
     x[wild] = 9.99
     assert np.flatnonzero(spikes(x + noise)).tolist() == wild
-    answer = asy.identify({"t": t, "x": x + noise}, laws=LAWS)
+    answer = asy.identify({"t": t, "x": x + noise}, laws=RIVALS)
     assert any("5 samples far from their neighbours left out" in n and "row 262" in n for n in answer.notes)
     assert answer.verdict.text.startswith("identified: 1+2,")
     covered(answer)
@@ -56,7 +56,7 @@ def released_twice():
 def test_two_releases_with_holds_are_two_runs():
     # failed before: "shows 0.14 periods (accepted: at least 1.5 periods of a free decay)"
     t, x = released_twice()
-    answer = asy.identify({"t": t, "x": x}, laws=LAWS)
+    answer = asy.identify({"t": t, "x": x}, laws=RIVALS)
     assert "identified in 2 runs: 1+2" in answer.verdict.text
     assert len(answer.per_run) == 2
     for run in answer.per_run:
@@ -141,7 +141,7 @@ def test_a_pause_is_no_coarse_clock():
     """Two kinds of steps, 0.01 and 5.01, are those of a clock that rounds to 5 only if all are its multiples."""
     t, x, noise = decay(1.0, 40, 4)
     kept = np.r_[0:1000, 1500 : len(t)]
-    answer = asy.identify((t[kept], (x + noise)[kept]), laws=LAWS)
+    answer = asy.identify((t[kept], (x + noise)[kept]), laws=RIVALS)
     assert not [note for note in answer.notes if "regular clock" in note]
     covered(answer)
 

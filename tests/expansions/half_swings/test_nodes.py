@@ -46,7 +46,7 @@ def test_few_nodes_err_by_what_they_say(monkeypatch, count):
     for coarse, fine in zip(few, node_quarter(law, 6, 100, 0.3), strict=True):
         assert all(x.contains(y.mid()) for x, y in zip(coarse[1:], fine[1:], strict=True))
     monkeypatch.setattr(_Ellipse, "nodes", lambda self, bits, lost=0: count)
-    monkeypatch.setattr(_Ellipse, "gap", lambda self, nodes, bound: arb(0))
+    monkeypatch.setattr(_Ellipse, "interpolation_error", lambda self, nodes, bound: arb(0))
     without = node_quarter(law, 6, 100, 0.3)
     monkeypatch.undo()
     for coarse, fine in zip(without, node_quarter(law, 6, 100, 0.3), strict=True):
@@ -66,7 +66,10 @@ def test_the_bounds_in_the_ellipse_are_their_formulas():
         y_2 = y_1 * (p_1 + cosine * y_1)
         near = 1 / mp.sqrt(1 - v)
         wanted = [(e.C[1], y_1), (e.C[2], y_2 + p_1 * y_1), (e.rates[1], near * cosine * y_1)]
-        wanted += [(e.rates[2], near * cosine * y_2), (e.gap(9, arb(5)), 4 * 5 * rho ** (-8) / (rho - 1))]
+        wanted += [
+            (e.rates[2], near * cosine * y_2),
+            (e.interpolation_error(9, arb(5)), 4 * 5 * rho ** (-8) / (rho - 1)),
+        ]
         for ball, value in wanted:
             assert value <= mp.mpf(ball.upper().str(25, radius=False)) * (1 + mp.mpf(10) ** -17)
             assert mp.mpf(ball.upper().str(25, radius=False)) < value * (1 + mp.mpf(10) ** -12)
@@ -82,8 +85,8 @@ def test_the_error_of_an_integral_is_that_of_its_function():
         e = _Ellipse.of(arb("1.5"), arb("5.5"), 1, arb(1))
         orders = _Orders(arb("1.5"), arb(1), e, count)
         ends, durations = orders.through(1)
-        of_p = arb("0.5") * e.gap(count, e.C[1]) / (arb("0.75") + 1)  # |eta|/beta
-        of_T = e.gap(count, e.rates[1]) / arb("1.25") / arb(2).sqrt()
+        of_p = arb("0.5") * e.interpolation_error(count, e.C[1]) / (arb("0.75") + 1)  # |eta|/beta
+        of_T = e.interpolation_error(count, e.rates[1]) / arb("1.25") / arb(2).sqrt()
     assert float(ends[1].rad()) == pytest.approx(float(of_p), rel=1e-6)
     assert float(durations[1].rad()) == pytest.approx(float(of_T), rel=1e-6)
     assert durations[1].contains(arb(2) / 5) and node_quarter(law, 1, 60, 1.0)[1][1].overlaps(arb(2) / 5)

@@ -22,19 +22,13 @@ from asymptotics.turning.choose import turning_points
 from asymptotics.turning.quadratic_duration import duration
 from asymptotics.turning.quadratic_map import next_amplitude
 from tests.flow.forces import by_strength, damping_of
+from tests.worlds import pairs_of
 
-LAWS = [
-    (("2", "1"),),
-    (("3/2", "1/10"),),
-    (("3/2", "5"),),
-    (("sqrt(2)", "1/5"),),
-    (("1/2", "1/4"),),
-    (("1/100", "1/3"),),
-    (("0", "1/30"), ("3", "1")),
-    (("1", "1/20"), ("2", "1/5")),
-    (("1/2", "1/10"), ("sqrt(3)", "1/10"), ("7/3", "1/3")),
-    (("3", "1e-300"),),
-]
+LAWS = pairs_of(
+    "as strong as the spring", "another rational power", "a strong power between", "an irrational power",
+    "below the linear one", "next to dry friction", "dry friction beside a cube", "a sum of powers",
+    "three powers without a common one", "next to no loss",
+)  # fmt: skip
 
 
 def damping(pairs):
@@ -51,7 +45,7 @@ def landing(pairs, bits, p="1", start=None):
         return arb(-last.turn, last.miss), last.time
 
 
-@pytest.mark.parametrize("pairs", LAWS, ids=str)
+@pytest.mark.parametrize("pairs", LAWS)
 def test_a_ladder_of_precisions(pairs):
     """From 16 bits on: the value at 160 bits is contained, and the radius is that of the precision."""
     place, time = landing(pairs, 160)

@@ -32,6 +32,7 @@ from asymptotics.flow.trajectory import half_swing_pieces
 from asymptotics.flow.turning import at_rest
 from asymptotics.numbers.exact import parse_real
 from asymptotics.numbers.precision import at_growing_precision
+from tests.worlds import NEAR_EQUAL
 
 BITS, LATE, MANY = 90, 1000, 40
 BASES = ["1", "1/5", "1/3", "1", "1/2", "7/10", "4/5", "sqrt(1/2)", "1", "4/3", "3/2", "sqrt(5)"]
@@ -113,19 +114,11 @@ def of(*pairs):
     return lambda: [(arb(e), parse_real(a, "alpha")) for a, e in pairs]
 
 
-LAWS = [
-    of(("1/2", "1"), ("0.5000000000000000001", "1")),
-    of(("1/2", "1"), ("0.51", "1")),
-    of(("1/3", "1"), ("0.34", "2"), ("2", "1/4")),
-    of(("sqrt(1/2)", "1"), ("sqrt(0.501)", "2")),
-    of(("1/2", "2"), ("0.55", "1")),
-    of(("0.9999999999", "2"), ("1.0000000001", "2")),
-    of(("1", "2"), ("0.99999999999999999999", "3")),
-    of(("1/2", "3"), ("0.500000001", "2"), ("1", "1")),
-]
+LAWS = {name: of(*world.pairs) for name, world in NEAR_EQUAL.items()}
+ALL = [pytest.param(law, id=name) for name, law in LAWS.items()]
 
 
-@pytest.mark.parametrize("law", LAWS[:-1])
+@pytest.mark.parametrize("law", ALL[:-1])
 def test_taylor_steps_pass_between_the_barriers(law, monkeypatch):
     _, piece = creeping(law)
     monkeypatch.setattr(linear_spring, "caught", lambda *_: None)
@@ -146,7 +139,7 @@ def test_taylor_steps_pass_between_the_barriers(law, monkeypatch):
     assert inside > 5
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", ALL)
 def test_the_motion_crosses_the_barriers_inwards_on_all_the_stretch(law):
     _, piece = creeping(law)
     strip = piece.strip
@@ -173,7 +166,7 @@ def test_no_speed_of_a_stretch_lies_beyond_the_one_on_which_its_sums_are_bounded
         assert all(arb(1) - arb(2) ** (4 - bits) * 2**20 < top <= 1 for top in tops)
 
 
-@pytest.mark.parametrize("law", LAWS[1:4])
+@pytest.mark.parametrize("law", ALL[1:4])
 def test_a_barrier_within_what_is_left_is_not_proved(law):
     with ctx.workprec(120):
         damping = Damping.of(law())
@@ -186,7 +179,7 @@ def test_a_barrier_within_what_is_left_is_not_proved(law):
         assert not one_way(laws, b, left, least)
 
 
-@pytest.mark.parametrize("law", LAWS[1:4])
+@pytest.mark.parametrize("law", ALL[1:4])
 def test_what_is_left_is_the_residual_of_the_curve(law):
     """At one w, from the derivatives of B itself: between a quarter of the bound and the bound."""
     with ctx.workprec(200):
@@ -210,7 +203,7 @@ def test_what_is_cut_off_the_sums_is_bounded(monkeypatch):
     """After t^3, at the end of the stretch: less than the bound, and more than half of it."""
     monkeypatch.setattr(near_equal_exponents, "_degree", lambda _: 3)
     with ctx.workprec(200):
-        damping = Damping.of(LAWS[2]())
+        damping = Damping.of(LAWS["a third twice beside a square"]())
         laws = grouped(damping, groups(damping), arb("1e-3").log())
         for t in (-1, arb("0.3"), 1):
             log_w = laws.scale.centre + laws.scale.reach * t
@@ -221,7 +214,7 @@ def test_what_is_cut_off_the_sums_is_bounded(monkeypatch):
         assert off > laws.lost / 2 and laws.size(arb_poly([1, -2]), (0, 0)) >= 3
 
 
-def entered(law=LAWS[1], error="1e-12"):
+def entered(law=LAWS["a root and a little more"], error="1e-12"):
     """A state on the curve that B begins with, its error, and the strip that it enters."""
     damping, y = Damping.of(law()), arb("0.001")
     w = solve(lambda v: (damping.resistance(v.exp()) - v.exp() ** 2, damping.resistance(v.exp())), y, arb(-14)).exp()
@@ -310,7 +303,7 @@ def test_what_a_time_leaves_out_is_bounded(d, monkeypatch):
         assert off < bound and off > bound / 2
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", ALL)
 def test_a_ladder_of_precisions(law):
     bits = 60
     (_, piece), (_, sharper) = creeping(law, bits), creeping(law, 2 * bits)

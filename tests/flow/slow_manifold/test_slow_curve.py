@@ -18,21 +18,13 @@ from asymptotics.law import Law, Oscillator
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.exact import parse_real
 from tests.flow.forces import by_strength
+from tests.worlds import CREEPING, pairs_of
 
-LAWS = [
-    {"1/2": "1"},
-    {"1/10": "3"},
-    {"sqrt(1/2)": "2"},
-    {"1/100": "1"},
-    {"4/5": "5"},
-    {"1/10": "3", "3/2": "1/5"},
-    {"1/2": "1", "1": "1"},
-    {"0": "1/5", "1/3": "1", "sqrt(5)": "2"},
-]
+MIXED = ("a root", "an irrational root", "a tenth beside three halves", "a root beside the linear one")
 
 
 def damping(law):
-    return Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in law.items()])
+    return Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in dict(law).items()])
 
 
 def creeping(law, bits, start="9/10"):
@@ -55,7 +47,7 @@ def stiff(alpha, epsilon, y, w, time):
     return found.y[:, -1]
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", pairs_of(*CREEPING))
 def test_a_ladder_of_precisions(law):
     for bits in (40, 64, 100) if len(law) == 1 else (40, 60):
         piece, _ = creeping(law, bits)
@@ -80,7 +72,7 @@ def test_a_stiff_integrator_agrees(alpha, epsilon):
             assert [float(value.mid()) for value in own] == pytest.approx(stiff(alpha, epsilon, y, w, time), rel=1e-5)
 
 
-@pytest.mark.parametrize("law", [LAWS[0], LAWS[2], LAWS[5], LAWS[6]])
+@pytest.mark.parametrize("law", pairs_of(*MIXED))
 def test_taylor_steps_pass_between_the_barriers(law, monkeypatch):
     piece, _ = creeping(law, 80)
     monkeypatch.setattr(linear_spring, "caught", lambda *_: None)
@@ -105,7 +97,7 @@ def test_the_strip_is_not_much_wider_than_what_it_must_hold():
         assert 0 < float(y.rad() / y) < 2e-26
 
 
-@pytest.mark.parametrize("law", [LAWS[0], LAWS[5]])
+@pytest.mark.parametrize("law", pairs_of("a root", "a tenth beside three halves"))
 def test_half_the_strip_is_not_proved(law):
     with ctx.workprec(120):
         series = truncated(damping(law), 0, 3)
@@ -133,7 +125,7 @@ def crossing(curve, law, log_w):
 
 
 @pytest.mark.parametrize("sign", [-1, 1])
-@pytest.mark.parametrize("law", [LAWS[1], LAWS[5]])
+@pytest.mark.parametrize("law", pairs_of("a tenth", "a tenth beside three halves"))
 def test_on_the_barriers_the_motion_crosses_as_proved_down_to_nothing(law, sign):
     piece, _ = creeping(law, 80)
     found = piece.strip.above if sign < 0 else piece.strip.below
@@ -185,7 +177,7 @@ def test_the_speeds_at_a_height_are_those_between_the_curves():
                     wide._speed(log_w)
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", pairs_of(*CREEPING))
 @pytest.mark.parametrize("order", [1, 3])
 def test_the_rest_is_what_the_cut_leaves(law, order):
     """|A B - w^(2-2 alpha)/epsilon^2| at one place in 300 bits: at most the rest, whose powers begin at the cut."""

@@ -52,8 +52,9 @@ class Model:
         if self.angle is not None:
             swing = PendulumHalfSwing(swing.elements, seen.reference * self.angle, coarse=swing.coarse)
         self.swing, self.seen = swing, seen
-        # Of fewer turning points an offset takes a parameter that the law needs more. A choice.
-        self.offset = offset and len(seen.n) >= 8
+        # Of fewer turning points an offset takes a parameter that the law needs more. A choice.  Peaks of one side know
+        # none: it would be any loss that falls with the amplitude.
+        self.offset = offset and len(seen.n) >= 8 and bool((seen.n % 2 != seen.n[0] % 2).any())
         self.law = slice(1, 1 + swing.parameters)
         self.after = 1 + swing.parameters
         self.size = self.after + self.offset + 2 * seen.has_times

@@ -46,9 +46,9 @@ class Observations(Alike):
     on the way here; ``floor``: the error, as a share of the first amplitude and of 1/omega_0, that is there without
     noise too; ``samples``: the motion itself, where it is fitted and the turning points only start the fit;
     ``time_unit``: that of the file, in which a period is told (empty: s), while ``t`` is in s; ``stride``: how many
-    true half-swings one n of an envelope counts, and ``spacing`` the time between two (``ringdown``); ``window``: that
-    of the local fits which found the turning times, and find them late (None: measured otherwise); ``record``: the
-    samples in which they were found, about the base line, for the picture alone.
+    true half-swings one n of an envelope counts (0 where nobody says), and ``spacing`` the time between two
+    (``ringdown``); ``window``: that of the local fits which found the turning times, and find them late (None: measured
+    otherwise); ``record``: the samples in which they were found, about the base line, for the picture alone.
     """
 
     n: Indices
@@ -87,7 +87,12 @@ class Observations(Alike):
         notes: Sequence[str] = (),
         floor: float = 0.0,
     ) -> "Observations":
-        """From any sequences; unsigned amplitudes are given alternating signs."""
+        """From any sequences, named as the fields; unsigned amplitudes ``x`` are given alternating signs.
+
+        ``n``: the numbers of the turning points (empty: 0, 1, ...), ``x`` and ``t`` theirs, in ``unit`` and in s;
+        ``passage_n``, ``passage_t``: the passages through 0; ``sigma_x``, ``sigma_t``, ``sigma_passage``: standard
+        deviations; ``name``, ``notes``: of the run; ``floor``: the error that is there without noise too.
+        """
         number = np.asarray(n, dtype=np.intp)
         position = np.asarray(x, dtype=float)
         text = tuple(notes)
@@ -105,13 +110,21 @@ class Observations(Alike):
         )  # fmt: skip
 
     def as_envelope(self, stride: float, spacing: float, notes: tuple[str, ...]) -> "Observations":
-        """The same numbers as an artificial clock of an envelope: each ``stride`` half-swings, ``spacing`` s apart."""
+        """The same numbers as an artificial clock of an envelope: each ``stride`` half-swings, ``spacing`` s apart.
+
+        ``notes``: what was found on the way there.
+        """
         return replace(self, stride=stride, spacing=spacing, notes=notes)
 
     @property
     def omega(self) -> float | None:
-        """The angular frequency of an envelope, in rad/s; None for turning points, whose times tell it."""
-        return None if self.spacing is None else np.pi * self.stride / self.spacing
+        """The angular frequency of an envelope, in rad/s, if known; None for turning points, whose times tell it."""
+        return None if self.spacing is None or self.without_frequency else np.pi * self.stride / self.spacing
+
+    @property
+    def without_frequency(self) -> bool:
+        """Whether it is an envelope of which nobody says how fast it swings."""
+        return self.stride == 0
 
     @property
     def sign(self) -> Array:
@@ -151,7 +164,7 @@ class Observations(Alike):
         return int(self.n[-1])
 
     def up_to(self, last: int) -> "Observations":
-        """The turning points n <= last only, and the passages between them."""
+        """The turning points n <= ``last`` only, and the passages between them."""
         keep, inside = self.n <= last, self.passage_n < last
         cut: dict[str, Any] = {name: _kept(getattr(self, name), keep) for name in ("n", "x", "t", "sigma_x", "sigma_t")}
         crossings: dict[str, Any] = {
@@ -160,7 +173,7 @@ class Observations(Alike):
         return replace(self, **cut, **crossings, samples=None)
 
     def between(self, low: float, high: float) -> "Observations":
-        """The longest stretch of turning points with low <= |x_n| <= high; the numbering starts with it."""
+        """The longest stretch of turning points with ``low`` <= |x_n| <= ``high``; the numbering starts with it."""
         inside = np.flatnonzero((np.abs(self.x) >= low) & (np.abs(self.x) <= high))
         pieces = np.split(inside, np.flatnonzero(np.diff(inside) > 1) + 1)
         # A stretch, not all that fits: a beat comes back into the range, and belongs to another decay.

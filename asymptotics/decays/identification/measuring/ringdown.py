@@ -3,7 +3,8 @@
 The amplitudes are taken as those of turning points n that are an artificial clock: between two of them lie
 ``stride`` = 2 f h true half-swings.  To first order the loss of a half-swing is proportional to the strengths, so that
 the strengths of the artificial clock are ``stride`` times the true ones; what this neglects is the square of what is
-lost from one n to the next, which is kept below 2 % by counting finely enough: about 1e-4 of a strength.
+lost from one n to the next, which is kept below 2 % by counting finely enough: about 1e-4 of a strength.  Without a
+frequency ``stride`` is 0: the amplitudes have their times and rates, and no strength.
 
 >>> t = np.arange(0, 60, 0.1)
 >>> seen = observations_of_envelope(t, 5 * np.exp(-t / 20), 1000.0)
@@ -25,7 +26,7 @@ _FINE = 20_000
 
 
 def observations_of_envelope(
-    t: Array, x: Array, frequency: float, *, relative: bool = False, unit: str = "", name: str = "the envelope",
+    t: Array, x: Array, frequency: float | None, *, relative: bool = False, unit: str = "", name: str = "the envelope",
     notes: tuple[str, ...] = (),
 ) -> Observations:  # fmt: skip
     """The amplitudes from where they fall on; ``relative``: their errors are proportional to them, as in decibels.
@@ -42,8 +43,10 @@ def observations_of_envelope(
     if len(x) < _LEAST:
         raise InputError("FILE", f"{name}: {len(x)} amplitudes that fall", f"at least {_LEAST}")
     n, spacing = _counted(t)
-    stride = 2 * frequency * spacing
-    told = f"an envelope at {frequency:.8g} Hz: {len(x)} amplitudes, {stride * int(n[-1]):.6g} half-swings"
+    stride = 0.0 if frequency is None else 2 * frequency * spacing
+    told = f"an envelope of unknown frequency: {len(x)} amplitudes"
+    if frequency is not None:
+        told = f"an envelope at {frequency:.8g} Hz: {len(x)} amplitudes, {stride * int(n[-1]):.6g} half-swings"
     seen = Observations.of(n, x, sigma_x=x if relative else (), unit=unit, name=name, notes=(*notes, *said, told))
     # Amplitudes have one sign, which the reading of turning points tells: here it says nothing.
     kept = tuple(note for note in seen.notes if "one sign" not in note)

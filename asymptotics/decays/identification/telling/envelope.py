@@ -40,7 +40,8 @@ between an amplitude and half of it; and the AICc above the best up to which a c
 @dataclass(frozen=True)
 class MeasuredEnvelope:
     """``period`` and ``half_life`` (from the first amplitude) in the file's unit of ``time``, None without times;
-    ``quality``: Q at three amplitudes, in the ``unit`` of x; ``backbone``: the period at them, of turning times."""
+    ``quality``: Q at three amplitudes, in the ``unit`` of x; ``decay_rate``: that of the amplitude there, in a unit of
+    time; ``backbone``: the period there, of turning times; ``untold``: why there is no Q."""
 
     period: Ends | None
     quality: tuple[Ends, ...]
@@ -48,19 +49,22 @@ class MeasuredEnvelope:
     unit: str = ""
     time: str = "s"
     backbone: tuple[Ends, ...] = ()
+    decay_rate: tuple[Ends, ...] = ()
+    untold: str = ""
 
     def to_dict(self, law_known: bool) -> dict[str, Any]:
         """JSON-ready: numbers are strings, an end without a limit is null."""
         return {
             "period": _texts(self.period), "quality": [_texts(q) for q in self.quality],
             "half_life": _texts(self.half_life), "time_unit": self.time, "law_known": law_known,
+            "decay_rate": [_texts(rate) for rate in self.decay_rate], "quality_untold": self.untold or None,
             "backbone": [self._at(row) for row in self.backbone],
         }  # fmt: skip
 
     def _at(self, row: Ends) -> dict[str, Any]:
         """The period in the file's unit of time, and omega in rad/s, at an amplitude."""
         period = {name: row[name] for name in _INVERTED}
-        omega = {name: 2 * pi / (SECONDS[self.time] * row[by]) for name, by in _INVERTED.items()}
+        omega = _inverse(row, 2 * pi / SECONDS[self.time])
         return {"amplitude": f"{row['amplitude']:.6g}", "period": _texts(period), "omega": _texts(omega)}
 
     @property
@@ -71,14 +75,34 @@ class MeasuredEnvelope:
 
     def told(self) -> str:
         """One line: period, Q(A) and half-life with their intervals."""
-        each = [f"{_span(q)} at {q['amplitude']:.3g} {self.unit}".rstrip() for q in self.quality]
+        each = self._each(self.quality)
         times = {"period": self.period, "half-life": self.half_life}
         period, life = (f"{k} {_span(v)} {self.time}" if v else "" for k, v in times.items())
         shown = self.backbone[:: len(self.backbone) - 1] if self.chirps else ()
         ends = [f"{_span(row, 5)} at {row['amplitude']:.3g} {self.unit}".rstrip() for row in shown]
         chirp = f"T = {', '.join(ends)}" if ends else ""
-        parts = (period, chirp, f"Q = {', '.join(each)}", life)
+        quality = f"Q = {', '.join(each)}"
+        if self.untold:
+            quality = f"rate of decay {', '.join(self._each(self.decay_rate))} 1/{self.time}; no Q: {self.untold}"
+        parts = (period, chirp, quality, life)
         return "envelope, before any law: " + "; ".join(part for part in parts if part)
+
+    def rows(self) -> list[tuple[str, Ends]]:
+        """What is told, one number with its interval for each name."""
+        found = [(f"Q at {self._place(row)}", row) for row in self.quality]
+        found += [(f"zeta at {self._place(row)}", _inverse(row, 0.5)) for row in self.quality]
+        found += [(f"period at {self._place(row)} [{self.time}]", row) for row in self.backbone]
+        turn = 2 * pi / SECONDS[self.time]
+        found += [(f"omega at {self._place(row)} [rad/s]", _inverse(row, turn)) for row in self.backbone]
+        found += [(f"rate of decay at {self._place(row)} [1/{self.time}]", row) for row in self.decay_rate]
+        whole = {"period": self.period if not self.backbone else None, "half-life": self.half_life}
+        return found + [(f"{name} [{self.time}]", ends) for name, ends in whole.items() if ends is not None]
+
+    def _place(self, row: Ends) -> str:
+        return f"{row['amplitude']:.6g} {self.unit}".rstrip()
+
+    def _each(self, rows: tuple[Ends, ...]) -> list[str]:
+        return [f"{_span(row)} at {row['amplitude']:.3g} {self.unit}".rstrip() for row in rows]
 
 
 def envelope(seen: Observations) -> MeasuredEnvelope | None:
@@ -95,16 +119,21 @@ def envelope(seen: Observations) -> MeasuredEnvelope | None:
     if decline is None:
         return None
     ends = np.array([size[0], np.sqrt(size[0] * size[-1]), size[-1]])
-    quality = tuple(_quality(float(a), decline(float(a)), seen.stride) for a in ends)
+    unknown = seen.without_frequency
+    quality = () if unknown else tuple(_quality(float(a), decline(float(a)), seen.stride) for a in ends)
     period = _period(n, seen.t[inside]) if seen.has_times else None
     step = None if period is None else period["estimate"]
     if seen.spacing is not None:  # an envelope: n is an artificial clock, and the true period is known
         step = 2 * seen.spacing
-        period = dict.fromkeys(("low", "estimate", "high"), step / seen.stride)
+        period = None if unknown else dict.fromkeys(("low", "estimate", "high"), step / seen.stride)
     life = None if step is None else _half_life(decline, size, step)
     time = seen.time_unit or "s"
     period, life = (v and {k: e / SECONDS[time] for k, e in v.items()} for v in (period, life))
-    return MeasuredEnvelope(period, quality, life, seen.unit, time, _backbone(seen, n, size, time))
+    # The fall of ln A in a half-swing, which takes half a step.
+    by = None if step is None else step / 2 / SECONDS[time]
+    rates = () if by is None else tuple(_rate(float(a), decline(float(a)), by) for a in ends)
+    untold = "nobody says how fast it swings (--omega0)" if unknown else ""
+    return MeasuredEnvelope(period, quality, life, seen.unit, time, _backbone(seen, n, size, time), rates, untold)
 
 
 def _backbone(seen: Observations, n: Indices, size: Array, time: str) -> tuple[Ends, ...]:
@@ -168,6 +197,15 @@ def _quality(amplitude: float, fall: Ends, stride: float) -> Ends:
     """Q = pi/2 over the fall in a half-swing; without a limit where that may be 0."""
     ends = {name: pi / 2 * stride / fall[by] if fall[by] > 0 else inf for name, by in _INVERTED.items()}
     return {"amplitude": amplitude, **ends}
+
+
+def _inverse(row: Ends, of: float) -> Ends:
+    """``of`` over the ends of an interval, whose order turns round."""
+    return {name: of / row[by] for name, by in _INVERTED.items()}
+
+
+def _rate(amplitude: float, fall: Ends, half_swing: float) -> Ends:
+    return {"amplitude": amplitude, **{name: value / half_swing for name, value in fall.items()}}
 
 
 def _period(n: Indices, t: Array) -> Ends:

@@ -39,10 +39,29 @@ _READING = (
 def html_report(
     answer: Identification, provenance: Mapping[str, str] | None = None, *, max_seconds: Number = 60
 ) -> str:
-    """The page; ``provenance``: further lines for its last section, such as the digests of the files.
+    """An identification as one page of HTML that needs no network: verdict, pictures, laws, data, provenance.
 
-    InputError for what ``identify`` has not returned.
+    Parameters
+    ----------
+    answer
+        what ``identify`` has returned
+    provenance
+        further lines of the last section, such as the digests of the files: name -> text
+    max_seconds
+        the time the call may take, in s
 
+    Returns
+    -------
+    str
+        the page
+
+    Raises
+    ------
+    InputError
+        for what ``identify`` has not returned
+
+    Examples
+    --------
     >>> from asymptotics.decays.identification.identify import identified
     >>> found = identified({"n": range(9), "x": [(-0.9) ** n for n in range(9)]}, laws=["1"], bootstrap=False)
     >>> html_report(found)[:15]

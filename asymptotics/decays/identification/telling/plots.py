@@ -88,11 +88,18 @@ def _decay(axes: Any, law: Judged, unit: str) -> None:
             step = -(-len(seen.record[0]) // _DOTS)
             t, x = (column[::step] for column in seen.record)
             axes.plot(t / scale, x, ".", markersize=2, color="0.6", label="samples")
-    for sign in (1, -1):
-        axes.plot(place, centre + sign * size, color="C1", lw=1, label="envelope" if sign > 0 else None)
     n, measured, _ = measured_sizes(fit)
     side = seen.sign[0] * np.where(n % 2, -1.0, 1.0)
-    axes.plot(place[n], centre[n] + side * measured, "o", markersize=3, color="C0", label="turning points")
+    sides: tuple[int, ...] = (1, -1)
+    points = "turning points"
+    if seen.spacing is not None:  # amplitudes at times, which have no sides
+        clock = seen.time_unit or "s"
+        place, abscissa = place * seen.spacing / SECONDS[clock], f"t ({clock})"
+        side, sides, points = np.ones(len(n)), (1,), "amplitudes"
+    for sign in sides:
+        label = "envelope" if sign > 0 else None
+        axes.plot(place, centre + sign * size, color="C1", lw=1, label=label, zorder=2 if len(sides) > 1 else 3)
+    axes.plot(place[n], centre[n] + side * measured, "o", markersize=3, color="C0", label=points)
     axes.set(xlabel=abscissa, ylabel=f"x ({unit})" if unit else "x")
     head(axes, [f"decay and envelope of {law.candidate}"])
 
@@ -120,16 +127,22 @@ def measured_sizes(fit: Fit) -> tuple[Indices, Array, Array]:
     known = seen.inside
     if seen.samples is not None:
         known[np.flatnonzero(known)[[0, -1]]] = False  # a smooth line knows its ends badly
-    error = seen.sigma_x if len(seen.sigma_x) else np.full(len(seen.n), fit.scales["x"])
+    # Of errors that stand in a table only the proportions are taken: their size is found with the fit.
+    local = len(seen.sigma_x) > 0 and (seen.record is not None or seen.samples is not None)
+    error = seen.sigma_x if local else fit.scales["x"] * model.shape[: len(seen.n)]
     return seen.n[known], (seen.sign * (seen.x - fit.rest))[known], error[known]
 
 
 def measured_decrements(fit: Fit) -> tuple[Array, Array, Array]:
-    """(mean amplitude, decrement, its standard error) of successive turning points that were measured."""
+    """(mean amplitude, decrement of a half-swing, its standard error) of neighbours among the measured turning points.
+
+    Peaks of one side are two half-swings apart, and the rows of an envelope some more.
+    """
     n, size, error = measured_sizes(fit)
-    next_ = np.diff(n) == 1
-    means, falls = (size[1:] + size[:-1]) / 2, size[:-1] - size[1:]
-    return means[next_], falls[next_], np.hypot(error[1:], error[:-1])[next_]
+    gaps = np.diff(n)
+    near = gaps == gaps.min()
+    means, falls = (size[1:] + size[:-1]) / 2, (size[:-1] - size[1:]) / gaps
+    return means[near], falls[near], (np.hypot(error[1:], error[:-1]) / gaps)[near]
 
 
 def draw_decrements(axes: Any, laws: list[Judged], unit: str) -> None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any
 
 from asymptotics.decays.identification.fitting.printed import Decrements
@@ -61,7 +62,8 @@ class Identification(Alike, Rows, Drawn):
         """Of each law of the verdict (three at most) words, equation, strengths and Q; what all of them say of Q; and
         Q of the envelope, which needs no law."""
         laws = self.of_the_verdict
-        found = [line for answer in laws[:MANY] for line in answer.lines]
+        # A law without strengths, of which nothing was found, heads no answer.
+        found = [line for answer in laws[:MANY] if answer.law.epsilon for line in answer.lines]
         together = agreed([answer.law for answer in laws], self.units)
         return (*found, *([] if together is None else [str(together)]), *self._bare_lines())
 
@@ -94,8 +96,16 @@ class Identification(Alike, Rows, Drawn):
         run = self.runs[0]
         return envelope(run) if isinstance(run, Observations) else None
 
+    def _bare_rows(self) -> list[dict[str, Any]]:
+        """Q, zeta, period, omega, rate of decay and half-life before any law, as rows like those of ``strengths``."""
+        if len(self.per_run) > 1:
+            return [row for one in self.per_run for row in one._bare_rows()]
+        bare = self._bare()
+        head = {"law": "before any law", "verdict": self.runs[0].name}
+        return [] if bare is None else [{**head, "parameter": name, **_ends(ends)} for name, ends in bare.rows()]
+
     def law(self, text: str) -> LawAnswer:
-        """The answer for one candidate, by its name such as ``1+2`` or ``free+s3``; InputError if it is not there."""
+        """The answer for the candidate ``text``, such as ``1+2`` or ``free+s3``; InputError if it is not there."""
         named = {str(answer.law.candidate): answer for answer in self.laws}
         return named[require_choice(text, "text", named)]
 
@@ -123,7 +133,7 @@ class Identification(Alike, Rows, Drawn):
         return found
 
     def table(self, count: int = 12) -> str:
-        """The first laws as a table of text."""
+        """The first ``count`` laws as a table of text."""
         count = exact_integer(count, "count", 1, 10_000)  # more than are ever tried
         rows: list[tuple[str, ...]] = [("law", "verdict", "dAICc", "held-out", "strengths [interval]")]
         rows += [answer.row() for answer in self.laws[:count]]
@@ -134,9 +144,9 @@ class Identification(Alike, Rows, Drawn):
         return f"Identification({self.verdict.text})"
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
-        """Decay, decrement against amplitude, residuals and profiles; on given axes the decrements alone.
+        """Decay, decrement against amplitude, residuals and profiles; on given axes ``ax`` the decrements alone.
 
-        InputError for several runs and printed decrements, and as ``Motion.plot``.
+        ``style`` as of ``Motion.plot``.  InputError for several runs and printed decrements, and as there.
         """
         return super().plot(ax, **{"panels": ax is None, **style})
 
@@ -169,6 +179,11 @@ class Identification(Alike, Rows, Drawn):
     def _table(self) -> dict[str, list[Any]]:
         rows = [row for answer in self.laws for row in answer.strengths()]
         return {name: [row[name] for row in rows] for name in (rows[0] if rows else ())}
+
+
+def _ends(found: Mapping[str, float]) -> dict[str, float | None]:
+    """An estimate and its interval; None for an end without a limit."""
+    return {name: found[name] if isfinite(found[name]) else None for name in ("estimate", "low", "high")}
 
 
 def _data(run: "Observations | Decrements") -> dict[str, Any]:

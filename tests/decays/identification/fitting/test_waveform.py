@@ -10,8 +10,8 @@ from asymptotics.decays.identification.forward.candidates import read_candidate
 from asymptotics.decays.identification.judging.single_fits import fit_law
 from asymptotics.decays.identification.measuring.sampled import observations_of_motion
 from asymptotics.errors import InputError
+from tests.worlds import RIVALS
 
-LAWS = ["1", "2", "1+2", "0+1"]
 FEW = np.arange(0, 47, 2.1)  # 3 samples a period, 15 swings
 MANY = np.linspace(0, 32 * np.pi, 961)
 
@@ -45,7 +45,7 @@ def test_its_derivatives_are_those_of_what_it_predicts(derivative):
 
 def test_three_samples_a_period_and_fifteen_swings_have_an_answer():
     x = truth(FEW, 0.04, 0.02)[0] + 2e-3 * np.random.default_rng(5).standard_normal(len(FEW))
-    answer = asy.identify({"t": FEW, "x": x}, laws=LAWS)
+    answer = asy.identify({"t": FEW, "x": x}, laws=RIVALS)
     law = answer.law("1+2").law
     assert law.verdict == "consistent"
     assert [e.contains(v) for e, v in zip(law.epsilon, (0.04, 0.02), strict=True)] == [True, True]
@@ -57,7 +57,7 @@ def test_three_samples_a_period_and_fifteen_swings_have_an_answer():
 )
 def test_velocities_and_accelerations_are_fitted_with_the_offset_of_their_sensor(column, place, shift):
     measured = truth(MANY, 0.02, 0.04)[place] + shift + 0.01 * np.random.default_rng(5).standard_normal(len(MANY))
-    answer = asy.identify({"t": MANY, column: measured}, laws=LAWS)
+    answer = asy.identify({"t": MANY, column: measured}, laws=RIVALS)
     assert answer.verdict.text.startswith("identified: 1+2")
     law = answer.law("1+2").law
     assert [e.contains(v) for e, v in zip(law.epsilon, (0.02, 0.04), strict=True)] == [True, True]
@@ -77,7 +77,7 @@ def test_what_is_wrong_with_samples_is_told_and_the_true_law_stands(defect):
     if defect == "gaps":
         keep = random.random(len(t)) < 0.15
         t, x = t[keep], x[keep]
-    answer = asy.identify({"t": t, "x": x}, laws=LAWS)
+    answer = asy.identify({"t": t, "x": x}, laws=RIVALS)
     law = answer.law("1+2").law
     assert law.verdict == "consistent"
     assert [e.contains(v) for e, v in zip(law.epsilon, (0.02, 0.04), strict=True)] == [True, True]

@@ -17,8 +17,8 @@ from asymptotics.decays.identification.judging.laws import UNTRIED
 from asymptotics.decays.identification.synthetic import observed
 from asymptotics.errors import InputError, LimitError
 from asymptotics.running import budget as budgets
+from tests.worlds import RIVALS
 
-LAWS = ["1", "2", "1+2", "0+1"]
 SEEN = observed("1", [0.02], 40, 1e-3, seed=2)
 
 
@@ -44,7 +44,7 @@ def test_laws_are_tried_from_cheap_to_dear_and_the_rest_is_told(monkeypatch):
 
 
 def test_without_anything_left_nothing_is_fitted_and_nothing_raised():
-    candidates = [read_candidate(law) for law in LAWS]
+    candidates = [read_candidate(law) for law in RIVALS]
     fits = fit_laws(candidates, SEEN, work=Work(deadline=0.0))
     assert [law.reason for law in fits] == [UNTRIED] * 4
     assert [law.verdict for law in judged(fits, {}, work=Work(deadline=0.0))] == ["undetermined"] * 4
@@ -82,7 +82,7 @@ def record():
 
 
 def answered(**asked):
-    return {k: v for k, v in asy.identify(record(), laws=LAWS, **asked).to_dict().items() if k != "made_by"}
+    return {k: v for k, v in asy.identify(record(), laws=RIVALS, **asked).to_dict().items() if k != "made_by"}
 
 
 def test_the_verdict_is_the_same_on_a_slow_machine(slow, request):

@@ -8,7 +8,6 @@ import pytest
 import asymptotics as asy
 from asymptotics.decays.identification.sources import load
 from asymptotics.decays.identification.telling.envelope import envelope
-from asymptotics.errors import InputError
 
 F, TAU = 2500.0, 14.0
 T = 0.15 * np.arange(1, 400)
@@ -45,6 +44,7 @@ def test_the_intervals_of_q_and_of_the_half_life_cover():
     for seed in range(30):
         told = envelope(load({"t": T, "p [dBm]": level(noisy(A, seed=seed))}, omega_0=2 * np.pi * F)[0])
         hits += [row["low"] < np.pi * F * TAU < row["high"] < 1.1 * row["low"] for row in told.quality]
+        hits += [row["low"] < 1 / TAU < row["high"] for row in told.decay_rate]
         hits += [told.half_life["low"] < TAU * np.log(2) < told.half_life["high"]]
     assert np.mean(hits) > 0.93
 
@@ -75,22 +75,38 @@ def test_a_nonlinear_loss_has_its_strength():
     assert free.law.alpha.contains(2.0) and free.law.epsilon[0].contains(epsilon)
 
 
-def test_the_rise_before_the_decay_is_left_out_and_the_frequency_is_asked_for():
+def test_the_rise_before_the_decay_is_left_out():
     a = np.concatenate([A[0] * (1 - np.exp(-T[:20])), A[:-20]])
     (seen,) = load(written(level(a)))
     assert any("the first 21 rows, before the amplitude falls" in note for note in seen.notes)
-    without = "time [s], power [dBm]\n"
-    with pytest.raises(InputError, match="argument omega_0: .*is an envelope and says no frequency"):
-        asy.identify(written(level(a), without))
-    (seen,) = load(written(level(a), without), omega_0=2 * np.pi * F)
+    (seen,) = load(written(level(a), "time [s], power [dBm]\n"), omega_0=2 * np.pi * F)
     assert seen.omega == pytest.approx(2 * np.pi * F)
-    # Volts on an even clock, too: they were read as peaks a period apart, and Q was that of the clock.
-    with pytest.raises(InputError, match="argument omega_0: .*is an envelope and says no frequency"):
-        load(written(A, "time (s), amplitude (V)\n"))
-    # Near misses: a linear column of few rows and no frequency holds peaks, a period apart; volts on an uneven clock.
-    assert load(written(A, "time (s), amplitude (cm)\n"))[0].omega is None
+
+
+@pytest.mark.parametrize("head", ["time (ms), power [dBm]\n", "time (ms), amplitude (V)\n"])
+def test_without_a_frequency_the_half_life_is_told_and_no_q(head):
+    # failed before: refused, and volts before that were peaks a period apart, with the Q of the clock
+    values = noisy(A, 1e-3)
+    text = written(level(values) if "dBm" in head else values, head).getvalue()
+    found = asy.identify(io.StringIO(text))
+    assert found.verdict.kind == "undecided" and "without the frequency" in found.verdict.text
+    told = found.to_dict()["envelope"]
+    for ends, truth in ((told["half_life"], TAU * np.log(2)), *((rate, 1 / TAU) for rate in told["decay_rate"])):
+        assert float(ends["low"]) < float(ends["high"]) and float(ends["estimate"]) == pytest.approx(truth, rel=2e-3)
+    assert told["period"] is None and told["quality"] == [] and "how fast it swings" in told["quality_untold"]
+    assert told["time_unit"] == "ms" and all(law["epsilon"] == [] for law in found.to_dict()["laws"])
+    assert "dry friction" not in str(found.lines) and "no Q" in found.lines[0]
+    # With the frequency the same file has a law and Q, and its half-life is the same.
+    known = asy.identify(io.StringIO(text), omega_0=2e-3 * np.pi * F, **LAWS).to_dict()["envelope"]
+    assert known["half_life"] == told["half_life"] and known["quality"] and known["quality_untold"] is None
+    assert known["decay_rate"] == told["decay_rate"]
+
+
+def test_amplitudes_that_are_peaks_are_no_envelope():
+    # A linear column of few rows and no frequency holds peaks, a period apart; and so do volts on an uneven clock.
+    assert load(written(A, "time (s), amplitude (cm)\n"))[0].spacing is None
     uneven = {"time (s)": T + 1e-2 * np.median(np.diff(T)) * (-1.0) ** np.arange(len(T)), "amplitude (V)": A}
-    assert load(uneven)[0].omega is None
+    assert load(uneven)[0].spacing is None
 
 
 def test_a_drive_that_holds_the_amplitude_is_no_part_of_the_decay():

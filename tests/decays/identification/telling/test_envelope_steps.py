@@ -172,5 +172,5 @@ def test_numbers_are_texts_and_what_has_no_limit_is_null():
     assert found == {
         "period": None, "quality": [{"amplitude": "2", "low": "0.333333", "estimate": "1", "high": None}],
         "half_life": {"low": "0.333333", "estimate": "1", "high": None}, "law_known": True,
-        "backbone": [], "time_unit": "s",
+        "backbone": [], "time_unit": "s", "decay_rate": [], "quality_untold": None,
     }  # fmt: skip

@@ -126,3 +126,41 @@ def test_laws_that_coincide_are_one_band():
     assert "1 and free (coincide)" in labels and "2" in labels and "free" not in labels
     plt.close(figure)
     assert [str(law.candidate) for law in shown_laws(answer)] == ["1"]
+
+
+def test_an_envelope_is_drawn_over_time_with_errors_of_its_own_size():
+    """failed before: over the number of an artificial swing, on both sides, without a single decrement."""
+    t, random = np.arange(0, 60, 0.25), np.random.default_rng(5)
+    size = np.exp(-t / 20) * (1 + 1e-3 * random.standard_normal(len(t)))
+    levels = {"t (ms)": t, "level (dB)": 20 * np.log10(size)}
+    answer = asy.identify(levels, kind="envelope", omega_0=2e6, laws=["1"], bootstrap=False)
+    figure, axes = plt.subplots()
+    answer.plot(axes, panels=True)
+    line, points = figure.axes[0].lines
+    assert figure.axes[0].get_xlabel() == "t (ms)" and points.get_xdata()[-1] == pytest.approx(59.75)
+    assert points.get_ydata() == pytest.approx(size, rel=1e-3) and line.get_ydata()[-1] == pytest.approx(
+        np.exp(-59.75 / 20), rel=1e-3
+    )
+    plt.close(figure)
+    fit = answer.best.law.fit
+    n, measured, error = measured_sizes(fit)
+    assert error / measured == pytest.approx(np.full(len(n), 1e-3), rel=0.3)
+    # A row is several artificial half-swings, and the decrement that of one.
+    mean, fall, spread = measured_decrements(fit)
+    assert len(mean) == len(t) - 1
+    loss = 0.25 / 20 / np.diff(n)
+    assert (np.abs(fall / mean - loss) < 4.5 * spread / mean).all() and (spread / mean < 2e-3).all()
+
+
+def test_peaks_of_one_side_have_decrements_and_no_base_line():
+    random = np.random.default_rng(6)
+    n = 2 * np.arange(15)
+    size = 20 * np.exp(-0.03 * n) + 0.02 * random.standard_normal(len(n))
+    answer = asy.identify(
+        {"t (s)": n * 0.8 + 1e-3 * random.standard_normal(len(n)), "amplitude (deg)": size}, laws=["1", "0+1"]
+    )
+    for law in ("1", "0+1"):  # failed before: dry friction of any sign and a rest position in place of it
+        fit = answer.law(law).law.fit
+        assert fit.rest == 0.0 and fit.model.amplitudes(fit.theta)[0][0] == pytest.approx(20, abs=0.1)
+    mean, fall, spread = measured_decrements(answer.law("1").law.fit)
+    assert len(mean) == len(n) - 1 and (np.abs(fall - 0.03 * mean) < 4.5 * spread).all()
