@@ -167,7 +167,7 @@ class Solution(ProvedCurve):
 
     def with_start_strength(self, found: Expr) -> Expr:
         """The same with epsilon_0, the local strength at the start, in the place of epsilon."""
-        return found if self.start is None else found.subs(epsilon, epsilon_0)
+        return expression(found, "found").subs({} if self.start is None else {epsilon: epsilon_0})
 
     @property
     def local_strength(self) -> Expr:

@@ -31,6 +31,7 @@ from asymptotics.numbers.value import coefficient_columns
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
 from asymptotics.series import Series
+from asymptotics.terms import signed_sum
 
 _POINTS = 401
 
@@ -59,7 +60,7 @@ class LimitCycle(Rows, Drawn):
     def to_dict(self) -> dict[str, Any]:
         """The result as a JSON-ready mapping: numbers are strings."""
         names = ("amplitude", "frequency", "multiplier", "log_multiplier")
-        head = {"law": str(self.law), "order": self.order, "arithmetic": self.arithmetic}
+        head = {"law": str(self.law), "equation": self.equation, "order": self.order, "arithmetic": self.arithmetic}
         rows = {name: row_to_dict(getattr(self, name)) for name in names}
         return {**head, **rows, "at": None if self.at_mu is None else self.at_mu.to_dict()}
 
@@ -78,9 +79,8 @@ class LimitCycle(Rows, Drawn):
     @property
     def equation(self) -> str:
         """The equation of motion as text: mu multiplies the losses, springs stand beside x."""
-        springs = signed_sum(self.law.springs)
-        beside = f" {springs}" if springs.startswith("-") else f" + {springs}" if springs else ""
-        beside = beside.replace(" -", " - ", 1) if beside.startswith(" -") else beside
+        springs = [str(t) for t in self.law.springs]
+        beside = "".join(f" - {t[1:]}" if t.startswith("-") else f" + {t}" for t in springs)
         return f"x'' + x{beside} + mu ({signed_sum(self.law.losses)}) = 0"
 
     def _curve(self, axes: Any, **style: Any) -> None:

@@ -140,7 +140,12 @@ def rows_of(command: str, points: Sequence[Point], store: Store) -> Iterator[dic
     """The rows of the file, as text."""
     for point, record in records(command, points, store):
         found = record or {"failed": "not in the store"}
-        yield {**beside(point, flat(found.get("result", {}))), **point, "failed": found.get("failed", ""), "code": mark()}
+        yield {
+            **beside(point, flat(found.get("result", {}))),
+            **point,
+            "failed": found.get("failed", ""),
+            "code": mark(),
+        }
 
 
 def columns_of(points: Sequence[Point], rows: Iterable[Mapping[str, str]]) -> list[str]:
