@@ -66,7 +66,7 @@ def of_solution(found: Solution | ImplicitSolution, times: Any) -> Errors:
         of_A, of_phi = _of_formulas((before, lag), A, phi, oscillator)
         wave = 0.0 if found.has_formulas else _WAVES
         of_x = np.full_like(
-            A, np.max(np.abs(A) * (wave + _FEW * EPS * (1 + times * omega) + of_phi) + of_A, initial=0.0)
+            A, np.nanmax(np.abs(A) * (wave + _FEW * EPS * (1 + times * omega) + of_phi) + of_A, initial=0.0)
         )
     return {"amplitude": of_column(A, of_A, relative=True), "phase": of_column(phi, of_phi), "x": of_column(x, of_x)}
 

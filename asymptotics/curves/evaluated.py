@@ -19,7 +19,7 @@ import sympy
 from flint import arb
 from sympy import Expr, Symbol
 
-from asymptotics.envelopes.slow_time import epsilon
+from asymptotics.envelopes.slow_time import end_of_amplitude, epsilon
 from asymptotics.errors import InputError, LimitError
 from asymptotics.law import Oscillator
 from asymptotics.numbers.arrays import real_array
@@ -44,23 +44,29 @@ def functions(s: Any, strength: Any) -> tuple[Function, Function, Function]:
     s = s.refined(20).formulas
     names, shape, begun = [tau, epsilon, *s.letters], _shape(s), _letters(s)
     amplitude, phase = (sympy.lambdify(names, e, "numpy", cse=True) for e in (s.amplitude, s.phase))
+    end = np.vectorize(end_of_amplitude(s.relative, s.alpha, s.p_1), otypes=[float])
 
     def both(times: Any, eps: Any) -> tuple[Any, Any]:
         times, eps = real_array(times, "tau"), real_array(eps, "epsilon")
         values = begun(eps)
+        # From there on A is 0 and phi NaN; the formulas are taken at the start.
+        gone = times >= end(values[-1] if values else eps)
+        times = np.where(gone, 0.0, times)
         # A formula without tau (phi = 0, say) is one number to NumPy: adding 0 times gives it the shape, and keeps NaN.
         # At a time whose powers leave the doubles what is left out is as far gone as the decay itself.
         with np.errstate(over="ignore"):
-            return amplitude(times, eps, *values) + 0.0 * times, phase(times, eps, *values) + 0.0 * times
+            A, phi = (f(times, eps, *values) + 0.0 * times for f in (amplitude, phase))
+        return np.where(gone, 0.0, A), np.where(gone, np.nan, phi)
 
     def x(times: Any, eps: Any) -> Any:
         size, lag = both(times, eps)
-        turned = real_array(times, "tau") + lag
+        turned, gone = real_array(times, "tau") + lag, size == 0
+        size, turned = np.where(gone, 1.0, size), np.where(gone, 0.0, turned)
         # The half-swing and the phase within it, as in ``Solution.x``: (-1)^swings without a power of a negative base.
         swings = np.floor(turned / np.pi)
         sign = 1.0 - 2.0 * np.mod(swings, 2.0)
         local = eps * size ** (float(s.alpha) - 1.0)
-        return sign * size * shape(turned - np.pi * swings, local)
+        return np.where(gone, 0.0, sign * size * shape(turned - np.pi * swings, local))
 
     found = (lambda t, e: both(t, e)[0], lambda t, e: both(t, e)[1], _in_chunks(x))
     if strength is None:
@@ -103,12 +109,13 @@ def _shape(s: Any) -> Function:
 def numbers(s: Any, number: Expr, digits: int) -> tuple[Any, Any, Any]:
     """A, phi and x at tau = ``number`` as mpmath numbers of about that many digits."""
     s = s.formulas
-    # 1/D = 1 - (1-alpha) p_1 epsilon tau is positive until A_0 vanishes; beyond, the root of a negative number would
-    # give complex digits without a word.
+    # Beyond the end the root of a negative number would give complex digits without a word.
     rough = _values(s, number, 45)
-    if s.alpha < 1 and not s.with_start_strength(1 / s.leading[1]).subs(rough).evalf(30) > 0:
-        end = s.with_start_strength(1 / ((1 - s.alpha) * s.p_1 * epsilon)).subs(rough).evalf(6)
-        raise InputError("time", f"A_0 has vanished at tau = {end}", "an earlier time")
+    if s.alpha < 1:
+        made = s.refined(20)
+        end = end_of_amplitude(made.relative, s.alpha, s.p_1)(float(s.with_start_strength(epsilon).subs(rough)))
+        if not number < end:
+            raise InputError("time", f"A has vanished at tau = {end:.6g}", "an earlier time")
     # Fifteen decimals more than are shown, for what cancels in A, phi and the waveform, and those that the turns of the
     # phase take; not proved to suffice, and ``certified`` is False.
     turns = digits_of_turns(number, s.phase.subs(rough))

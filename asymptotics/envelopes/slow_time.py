@@ -24,8 +24,11 @@ epsilon**3*(43*pi*D**3/8640 - pi*D**2/720 - 31*pi/8640) + epsilon*(pi*D/8 - pi/8
 """
 
 from collections.abc import Callable, Iterable, Iterator
+from math import inf
 from typing import Any, NamedTuple
 
+import numpy as np
+import sympy
 from flint import arb, fmpq
 from sympy import Add, Expr, Float, Pow, Symbol
 
@@ -43,6 +46,8 @@ from asymptotics.terms import Term
 
 # What a ball is shown with; digits that are claimed come from ``certified_slow_time``.
 _DIGITS = 30
+# A root of doubles is taken for real; of a pair that is nearly double, which this may miss, A touches 0.
+_REAL = 1e-9
 D, epsilon = Symbol("D", positive=True), Symbol("epsilon", positive=True)
 
 
@@ -153,6 +158,28 @@ def _sum(rows: Iterable[tuple[int, int, Expr]]) -> Expr:
     for n, i, x in rows:
         parts.setdefault(n, []).append(x * D**i)
     return Add(*[epsilon**n * Add(*part) for n, part in parts.items()])
+
+
+def end_of_amplitude(relative: Expr, alpha: Expr, p_1: Expr) -> Callable[[float], float]:
+    """tau where A = A_0 ``relative``(D, epsilon) first vanishes, as a function of epsilon; infinity for alpha >= 1.
+
+    In doubles, no bound.
+
+    >>> round(end_of_amplitude(sympy.Integer(1), sympy.Integer(0), 2 / sympy.pi)(0.02), 6)
+    78.539816
+    """
+    if not (alpha.is_number and alpha < 1):
+        return lambda _: inf
+    # D = 1/(1 + (alpha-1) p_1 epsilon tau) grows from 1 to infinity, where A_0 is 0; beyond, its powers are complex.
+    coefficients = sympy.lambdify([epsilon], sympy.Poly(relative, D).all_coeffs(), "numpy")
+    rate = float((1 - alpha) * p_1)
+
+    def end(strength: float) -> float:
+        roots = np.roots([float(c) for c in coefficients(strength)])
+        first = min((float(r.real) for r in roots if abs(r.imag) <= _REAL * abs(r) and r.real > 1), default=inf)
+        return (1 - 1 / first) / (rate * strength) if strength else inf
+
+    return end
 
 
 def leading_amplitude(alpha: Expr, p_1: Expr, strength: Expr, tau: Expr) -> tuple[Expr, Expr]:

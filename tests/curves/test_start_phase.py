@@ -185,6 +185,17 @@ def test_an_amplitude_of_an_order_ends_at_its_own_first_zero(alpha):
     assert 0 < float(found.at_order(Fraction(end * (1 - 1e-6)), 3)[0]) < 1e-3
 
 
+@pytest.mark.parametrize(("law", "late"), [({0: "1/50"}, 80), ({"1/2": "1/5"}, 100), ({"1/2": "1/5"}, "17.9")])
+def test_a_solution_ends_where_its_amplitude_vanishes_in_every_answer(law, late):
+    found = asy.solution(law, order=3)
+    A, phi, x = (float(column[0]) for column in found.sample([float(Fraction(late))]))
+    assert (A, x, np.isnan(phi)) == (0.0, 0.0, True)
+    with pytest.raises(asy.InputError, match="A has vanished"):
+        found.at(late)
+    before = found.at(10, digits=15)
+    assert [v[0] for v in found.sample([10.0])] == pytest.approx([float(v) for v in before], abs=1e-13)
+
+
 def test_the_title_of_a_picture_has_its_order():
     axes = Figure().subplots()
     asy.envelope({2: "1/50"}).plot(axes, until=3.0, order=3)
