@@ -175,6 +175,9 @@ class Question:
         strengths += [text.partition(":")[2] for text in getattr(options, "law", None) or ()]
         special |= any(text.strip().startswith("-") for text in strengths)
         special |= any("," in text.partition(":")[0] for text in getattr(options, "law", None) or ())
+        # In another gauge the numbers are others.
+        usual = [a.default for a in self.asked if a.name == "gauge"]
+        special |= bool(usual) and getattr(options, "gauge", None) not in (None, *usual)
         if self.offers.oscillator_alone or (self.offers.from_rest and not special):
             return []
         return self.as_typed(options)
