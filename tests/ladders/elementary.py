@@ -110,7 +110,7 @@ LAWS = [
     ),
     Ladder(
         tuple(f"asymptotics.envelopes.first_order.FirstOrderEnvelope.{name}_ball" for name in ("amplitude", "phase")),
-        lambda x: [ENVELOPE.amplitude_ball(x), ENVELOPE.phase_ball(x)],
+        lambda x: [ENVELOPE.amplitude_ball(x), ENVELOPE.lag_ball(x)],
         "5",
         16,
         2,
