@@ -11,12 +11,13 @@ from asymptotics.decays.identification.measuring.at_rest import moving
 from asymptotics.decays.identification.measuring.extraction import observations_of_record
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.mode_beside import with_mode_beside
+from asymptotics.decays.identification.measuring.near_modes import near_modes
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.measuring.ringdown import observations_of_envelope
 from asymptotics.decays.identification.measuring.sampled import LEAST_SAMPLES, observations_of_motion
 from asymptotics.decays.identification.measuring.second_mode import without_second_modes
 from asymptotics.decays.identification.measuring.sensors import sensor_notes
-from asymptotics.decays.identification.measuring.slow_base_line import without_slow_base_line
+from asymptotics.decays.identification.measuring.slow_base_line import SlowBaseLine, slow_base_line
 from asymptotics.decays.records.clock import runs_of, straightened
 from asymptotics.decays.records.repairs import releases, spikes
 from asymptotics.decays.records.rows import RowPlaces
@@ -98,6 +99,12 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
         t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
     said = (*run.notes, *notes, *sensor_notes(t, x))
     parts, found = releases(t, x), list[Observations]()
+    beat = near_modes(t, x)
+    if beat is not None:
+        if modes == 1 and (beat.is_strong or len(parts) > 1 or len(parts[0]) < len(t)):
+            raise InputError("FILE", f"{rows.name} {beat.told}", "--modes 2, which fits both")
+        said = said if modes > 1 else (*said, f"the record {beat.told}: --modes 2 fits both")
+        parts = [np.arange(len(t))]
     for number, places in enumerate(parts, start=1):
         own, told = rows if len(places) == len(t) else rows.kept(places), said
         if len(places) < len(t):
@@ -142,17 +149,27 @@ def _decay(
     # What never changes has no period, which the search for a second mode asks for.
     if len(x) > 1 and not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name}, column {'xva'[_order(run)]}: all values are {x[0]:g}", "a motion")
-    x, slow = without_slow_base_line(t, x)
+    slow = slow_base_line(t, x)
+    if slow is not None:
+        x, notes = x - slow.values, (*notes, slow.told)
     x, lines = without_second_modes(t, x)
-    notes = (*notes, *slow, *lines)
+    notes = (*notes, *lines)
     if _order(run) == 0:
         swinging = moving(t, x, dominant_period(t, x)) if len(t) >= LEAST_SAMPLES else slice(None)
         rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
-        seen = observations_of_record(t, x, unit=run.unit, rows=rows)
+        seen = _beside(slow, observations_of_record(t, x, unit=run.unit, rows=rows, whole_motion=slow is not None))
         return replace(seen, notes=(*notes, *seen.notes, *_tail(whole, seen)))
     if len(t) < LEAST_SAMPLES:
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
-    return observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
+    seen = observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
+    return _beside(slow, seen)
+
+
+def _beside(slow: SlowBaseLine | None, seen: Observations) -> Observations:
+    """The base line that was taken off is fitted once more beside every law: what it costs the intervals is in them."""
+    if slow is None or seen.samples is None:
+        return seen
+    return replace(seen, samples=replace(seen.samples, slow=slow.columns(seen.samples.t)))
 
 
 def _tail(t: Array, seen: Observations) -> list[str]:

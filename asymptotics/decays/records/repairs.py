@@ -10,6 +10,8 @@
 [(0, ...), (..., 3299)]
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,7 +23,7 @@ than so many of the samples do, they are no spikes."""
 _A_PERIOD, _LEAST_PERIODS, _MOST_RELEASES = 24, 4, 12
 """Samples of a period that are looked at; periods of a decay that is worth a run; more releases than this are no
 releases, and the record stays whole."""
-_GROWN, _NOISE, _HELD, _SHAPE, _JUMP, _NODE = 1.3, 8.0, 0.1, 0.25, 0.4, 0.6
+NOISE, _GROWN, _HELD, _SHAPE, _JUMP, _NODE = 8.0, 1.3, 0.1, 0.25, 0.4, 0.6
 """A swing larger by this than a period before, and by so many times the noise of an amplitude, was touched; below this
 share of the largest it is held or over, and so it is where a line and a wave leave more than a quarter of its
 amplitude.  A phase that jumps by more than ``_JUMP`` (radians) was touched too, between windows none of which swings
@@ -57,27 +59,49 @@ def spikes(x: Array) -> NDArray[np.bool_]:
     return found if found.sum() <= max(_MOST * len(x), 1) else np.zeros(len(x), dtype=bool)
 
 
-def releases(t: Array, x: Array) -> list[Places]:
-    """The stretches of free decay where there are several, or one beside a long hold; else one stretch of all."""
-    whole, steps = [np.arange(len(t))], np.diff(t)
+@dataclass(frozen=True)
+class Swings:
+    """A record in windows of a ``period``, half of it apart, about ``centres``: the ``size`` and ``phase`` of the wave
+    in each (half a turn a window taken off), what a line and it leave (``rest``); ``noise``: the error of a size."""
+
+    period: float
+    centres: Array
+    size: Array
+    rest: Array
+    phase: Array
+    noise: float
+
+
+def swings_of(t: Array, x: Array) -> Swings | None:
+    """The windows of a record; None where its samples are too few, uneven or gaping, or the record is too short."""
+    steps = np.diff(t)
     # Few samples or uneven ones: windows of a period would hold too few of them.
     if len(t) < 50 or float(np.quantile(steps, 0.9)) > 2 * float(np.median(steps)):
-        return whole
+        return None
     period = _period(t, x)
     per_period = period / float(np.median(steps))
     # Too few samples, a gap, or too short for two releases: nothing can be told of its swings.
     if per_period < 8 or float(steps.max()) > period / 2 or (t[-1] - t[0]) / period < 2 * _LEAST_PERIODS:
-        return whole
-    centres, size, rest, phase = _swings(t, x, period, max(int(per_period / _A_PERIOD), 1))
+        return None
+    centres, size, rest, phase = swings(t, x, period, max(int(per_period / _A_PERIOD), 1))
     if len(size) < 4 * _LEAST_PERIODS:
-        return whole
+        return None
     # The error of an amplitude from so many samples; the lower quartile, for touched windows leave more.
     noise = float(np.quantile(rest, 0.25)) * np.sqrt(2 / _A_PERIOD)
+    return Swings(period, centres, size, rest, phase, noise)
+
+
+def releases(t: Array, x: Array) -> list[Places]:
+    """The stretches of free decay where there are several, or one beside a long hold; else one stretch of all."""
+    whole, seen = [np.arange(len(t))], swings_of(t, x)
+    if seen is None:
+        return whole
+    period, centres, size, rest, noise = seen.period, seen.centres, seen.size, seen.rest, seen.noise
     top = float(size.max())
-    free = (size > _HELD * top) & (size > _NOISE * noise) & (rest < _SHAPE * size)
+    free = (size > _HELD * top) & (size > NOISE * noise) & (rest < _SHAPE * size)
     grown = np.zeros(len(size), dtype=bool)
-    grown[2:] = size[2:] > _GROWN * size[:-2] + _NOISE * noise
-    jumped = _jumps(phase, size, free, noise)
+    grown[2:] = size[2:] > _GROWN * size[:-2] + NOISE * noise
+    jumped = _jumps(seen.phase, size, free, noise)
     grown |= jumped
     # Windows overlap by half: the one before a growth and the one before that hold the touch as well.
     free &= ~(grown | np.roll(grown, -1) | np.roll(grown, -2))
@@ -107,7 +131,7 @@ def _jumps(phase: Array, size: Array, free: NDArray[np.bool_], noise: float) -> 
         # A wave on both sides, and between them none much smaller: at a node of beats there is.
         smaller = float(min(size[j], size[j + 4]))
         wave = free[j] and free[j + 4] and float(size[j : j + 5].min()) > _NODE * smaller
-        sudden = off[j] > _JUMP + _NOISE * (spread[j] + noise / smaller) and off[j] >= off[max(j - 3, 0) : j + 4].max()
+        sudden = off[j] > _JUMP + NOISE * (spread[j] + noise / smaller) and off[j] >= off[max(j - 3, 0) : j + 4].max()
         if wave and sudden and len(around[j]) > 8:
             found[j + 2 : j + 4] = True
     return found
@@ -141,7 +165,7 @@ def _period(t: Array, x: Array) -> float:
     return float((t[-1] - t[0]) / k) if power[k] > 0 else 0.0
 
 
-def _swings(t: Array, x: Array, period: float, step: int) -> tuple[Array, Array, Array, Array]:
+def swings(t: Array, x: Array, period: float, step: int = 1) -> tuple[Array, Array, Array, Array]:
     """Amplitudes of the wave in windows of a period, half a period apart; what a line and the wave leave; its phase, of
     which half a turn a window is taken off."""
     t, x = t[::step], x[::step]

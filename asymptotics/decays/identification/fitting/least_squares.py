@@ -85,7 +85,7 @@ class Fit(Alike):
     @property
     def freedom(self) -> int:
         """Data minus parameters."""
-        return len(self.residuals) - self.model.size
+        return len(self.residuals) - self.model.absorbed - self.model.size
 
     @cached_property
     def log_likelihood(self) -> float:
@@ -112,7 +112,7 @@ class Fit(Alike):
     @property
     def _counted(self) -> int:
         # Each scale that was found is a parameter too.
-        return self.model.size + (0 if self.known else len(self.model.groups))
+        return self.model.absorbed + self.model.size + (0 if self.known else len(self.model.groups))
 
 
 Penalty = Callable[[Array], tuple[float, Array]]
@@ -174,7 +174,7 @@ def _left_over(model: Model, slopes: Array, scales: dict[str, float]) -> dict[st
     hat = found.left[:, found.seen]
     return {
         # N_g minus the trace of the hat matrix over the group: the parameters shared out between the kinds.
-        kind: group.stop - group.start - float(np.sum(hat[group] ** 2))
+        kind: group.stop - group.start - model.absorbed - float(np.sum(hat[group] ** 2))
         for kind, group in zip(model.kinds, model.groups)
     }
 

@@ -43,6 +43,8 @@ class Model:
     """
 
     alternating = True
+    absorbed = 0
+    """Linear unknowns that stand in no vector of parameters, but are fitted beside every law."""
 
     def __init__(self, swing: HalfSwingModel, seen: Observations, offset: bool = True, pendulum: bool = False) -> None:
         self.angle = UNITS.get(seen.unit, 1.0) if pendulum else None

@@ -45,6 +45,9 @@ class WaveformModel(Model):
         # Memory falls exponentially with time: that of neighbours, to the power of the gap in units of the usual one.
         self._rho = self.samples.memory ** (np.diff(t) / float(np.median(np.diff(t))))
         self.groups, self.kinds, self.shape = [slice(0, len(t))], ["x"], np.ones(len(t))
+        slow = self.samples.slow
+        self._slow = None if slow is None else np.linalg.qr(self._innovations(slow))[0]
+        self.absorbed = 0 if slow is None else slow.shape[1]
         self.data = self._white(self.samples.x)
 
     @property
@@ -136,6 +139,11 @@ class WaveformModel(Model):
         return values
 
     def _white(self, values: Array) -> Array:
+        """The innovations, without what a base line that wanders explains: the same as fitting it beside the law."""
+        white = self._innovations(values)
+        return white if self._slow is None else white - self._slow @ (self._slow.T @ white)
+
+    def _innovations(self, values: Array) -> Array:
         """The innovations of an AR(1) process in continuous time; the values themselves without memory."""
         if self.samples.memory == 0:
             return values

@@ -49,6 +49,8 @@ _SPARSE, _NOISY, _DEEP = 100.0, 2e-3, 8.0
 """Extremes tell less than the samples do where the noise is above 0.002 of the first amplitude and the samples are
 fewer than 100 a period, or the decay comes nearer to the noise than eight times: then the motion is fitted.  The first
 is also the least number of samples of an uneven record whose extremes are fitted."""
+_FEW_EXTREMES = 20
+"""So few extremes tell their noise badly, the more so where it remembers; samples whose noise is seen tell it well."""
 # Nine tenths of the gaps must be below twice the usual one, or a window has too few samples somewhere.
 _UNEVEN = 2.0
 _FEW = 1.0
@@ -70,8 +72,13 @@ class _Points:
     noise: float
 
 
-def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: RowPlaces = _RECORD) -> Observations:
-    """Turning points, turning times and passages of a sampled motion; InputError for a record that has none."""
+def observations_of_record(
+    t: Array, x: Array, *, unit: str = "", rows: RowPlaces = _RECORD, whole_motion: bool = False
+) -> Observations:
+    """Turning points, turning times and passages of a sampled motion; InputError for a record that has none.
+
+    ``whole_motion``: all samples are to be fitted, wherever a smooth line through them can be begun.
+    """
     columns = {"t": np.asarray(t, dtype=float), "x": np.asarray(x, dtype=float)}
     table = RecordTable("record", columns, unit, rows).whole()
     t, x, rows, name, notes = table.columns["t"], table.columns["x"], table.rows, rows.name, list(table.notes)
@@ -113,7 +120,8 @@ def observations_of_record(t: Array, x: Array, *, unit: str = "", rows: RowPlace
     noisy = found.noise > (_COARSE if sparse else _NOISY) * abs(found.x[chosen[0]])
     hard = per_period < _SPARSE or abs(found.x[chosen[-1]]) < _DEEP * found.noise
     # Of a few periods the smooth line has too little to begin with.
-    if noisy and hard and (t[-1] - t[0]) / period > 4:
+    few = len(chosen) < _FEW_EXTREMES and found.noise > _COARSE * abs(found.x[chosen[0]])
+    if (whole_motion or few or noisy and hard) and (t[-1] - t[0]) / period > 4:
         free = (t >= found.t[chosen[0]]) & (t <= found.t[chosen[-1]])
         kept = (*table.notes, *discarded)
         return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=kept, period=period)

@@ -1,8 +1,9 @@
 """A second mode that is fitted beside the motion, on demand: where its fit begins.
 
 Unasked, a line is taken off where it is beyond doubt (``second_mode``).  Asked for (``modes=2``), the strongest line
-beside the motion is taken whatever its size is, and the fit of each law has it beside the motion, with its amplitude,
-phase, frequency and rate of decay as unknowns: what it costs the intervals is in them.
+beside the motion (of a beat the weaker mode, ``near_modes``) is taken whatever its size is, and the fit of each law has
+it beside the motion, with its amplitude, phase, frequency and rate of decay as unknowns: what it costs the intervals is
+in them.
 
 >>> t = np.arange(0, 200, 0.5)
 >>> x = np.exp(-0.01 * t) * np.cos(t) + 0.05 * np.exp(-0.02 * t) * np.cos(2.7 * t)
@@ -17,6 +18,7 @@ import numpy as np
 
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.demodulation import demodulated
+from asymptotics.decays.identification.measuring.near_modes import near_modes
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.measuring.sampled import observations_of_motion
 from asymptotics.decays.identification.measuring.second_mode import line_beside, motion_columns, solved
@@ -33,7 +35,8 @@ def with_mode_beside(
     t: Array, x: Array, *, unit: str, name: str, notes: tuple[str, ...], derivative: int
 ) -> Observations:
     """The samples with the beginning of a second mode; InputError where there is no further line."""
-    found = strongest_line(t, x)
+    near = near_modes(t, x)
+    found = strongest_line(t, x) if near is None else (near.omega[1], near.lines[1])
     if found is None:
         raise InputError("modes", f"{name} shows no line beside the motion", "1")
     omega, line = found

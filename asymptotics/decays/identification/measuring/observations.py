@@ -23,7 +23,8 @@ Indices = NDArray[np.intp]
 class Samples(Alike):
     """The motion as it was sampled, or a ``derivative`` of it; ``noise`` about a smooth line, with its degrees of
     ``freedom``, and its ``memory``, the correlation of neighbours; ``mode``: where the fit of a second mode begins, its
-    cosine and sine at the first sample, its frequency and its rate of decay (empty: there is none)."""
+    cosine and sine at the first sample, its frequency and its rate of decay (empty: there is none); ``slow``: columns
+    of which any sum is fitted beside every law, those of a base line that wanders (None: there are none)."""
 
     t: Array
     x: Array
@@ -32,6 +33,7 @@ class Samples(Alike):
     memory: float = 0.0
     derivative: int = 0
     mode: tuple[float, ...] = ()
+    slow: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)

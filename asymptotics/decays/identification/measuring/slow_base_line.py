@@ -21,6 +21,8 @@ motion.  So it must be louder than that by far.
 ()
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from asymptotics.decays.identification.forward.coefficients import Array
@@ -34,23 +36,57 @@ _FASTEST, _BETWEEN = 0.5, 0.8
 """The frequencies of the cosines end at half that of the motion; from there to 0.8 of it, noise alone is seen."""
 _ROUGH = 5
 """Coefficients of the modulation in the rough fit: few, as in ``second_mode``."""
+_BESIDE = 0.9
+"""Beside a law, which knows the shape of the motion, the cosines go on so far: what begins within a period has parts
+above half the frequency.  Of 150 decays with an unquiet tail (seed 79002) the intervals hold 86.7 % without cosines in
+the fit of the law (rms of the misses 1.31), 92.5 % with those up to 0.75 (1.14), 93.3 % up to 0.9 (1.04); up to 0.97
+the intervals are four times as long."""
 _LOUDER = 25.0
 """By how much the mean square of the slow coefficients exceeds that of those between: five times the size.  A choice:
 AR(1) noise whose correlation falls to 1/e in half a period has 3.5, and what is taken off in error is signal lost."""
 
 
+@dataclass(frozen=True)
+class SlowBaseLine:
+    """What wanders beside the drift, at the samples; ``start`` and ``span`` of the record, and the ``count`` of cosines
+    that are fitted beside a law."""
+
+    values: Array
+    start: float
+    span: float
+    count: int
+
+    @property
+    def told(self) -> str:
+        """Of what size it is."""
+        size = float(np.abs(self.values).max())
+        return f"the base line wanders by up to {size:.2g} beside its drift: measured and taken off"
+
+    def columns(self, t: Array) -> Array:
+        """The cosines at other times of the record."""
+        return _cosines((t - self.start) / self.span, self.count)
+
+
 def without_slow_base_line(t: Array, x: Array) -> tuple[Array, tuple[str, ...]]:
     """The record without what wanders beside its drift, and a note where there is such a thing."""
-    if len(t) < _LEAST or not np.ptp(x) > 0:
+    found = slow_base_line(t, x)
+    if found is None:
         return x, ()
+    return x - found.values, (found.told,)
+
+
+def slow_base_line(t: Array, x: Array) -> SlowBaseLine | None:
+    """What wanders beside the drift of a record; None where it is no louder than what lies beside it."""
+    if len(t) < _LEAST or not np.ptp(x) > 0:
+        return None
     omega = 2 * np.pi / dominant_period(t, x)
     periods = float(t[-1] - t[0]) * omega / (2 * np.pi)
     some = slice(None, None, -(-len(t) // _MOST))
     T, X = t[some], x[some]
     if periods < _PERIODS or len(T) < 4 * periods:
-        return x, ()
+        return None
     slow = int(2 * _FASTEST * periods)
-    waves = _cosines(t, int(2 * _BETWEEN * periods))
+    waves = _cosines((t - t[0]) / (t[-1] - t[0]), int(2 * _BETWEEN * periods))
     rough = motion_columns(SpectralLine(T, omega, np.zeros(_ROUGH), np.zeros(1), 0.0, 0.0, 0.0), T)
     first = X - waves[some, :slow] @ solved(rough, waves[some, :slow], X)[rough.shape[1] :]
     # Without it, or the modulation of the motion would follow it.
@@ -64,18 +100,17 @@ def without_slow_base_line(t: Array, x: Array) -> tuple[Array, tuple[str, ...]]:
     criteria = len(T) * np.log(np.maximum(left, 1e-300) / len(T)) + 2.0 * count + np.where(count, WORTH, 0.0)
     chosen = int(np.argmin(criteria))
     if not chosen or power[:chosen].mean() < _LOUDER * power[slow:].mean():
-        return x, ()
+        return None
     c = solved(main, waves[some, :chosen], X)[main.shape[1] :]
     taken = waves[:, :chosen] @ c
     taken = taken - np.polynomial.Polynomial.fit(t, taken, 1)(t)
     size = float(np.abs(taken).max())
     # As in ``second_mode``: larger than the record itself, it is one of two that cancel.
     if size > float(np.ptp(x)) / 2:
-        return x, ()
-    return x - taken, (f"the base line wanders by up to {size:.2g} beside its drift: measured and taken off",)
+        return None
+    return SlowBaseLine(taken, float(t[0]), float(t[-1] - t[0]), int(2 * _BESIDE * periods))
 
 
-def _cosines(t: Array, count: int) -> Array:
+def _cosines(place: Array, count: int) -> Array:
     """cos(k pi s), k = 1 ... count, s from 0 to 1 over the record."""
-    place = (t - t[0]) / (t[-1] - t[0])
     return np.asarray(np.cos(np.pi * place[:, None] * np.arange(1, count + 1)))

@@ -18,7 +18,7 @@ class Line:
 
     kinds, groups, size, after = ["x", "t"], [slice(0, 3), slice(3, 6)], 2, 2
     J = np.array([[1.0, 0.0], [1.0, 1.0], [1.0, 2.0], [2.0, 0.0], [2.0, 0.0], [2.0, 0.0]])
-    offset = False
+    offset, absorbed = False, 0
 
     def __init__(self, data, shape=None, reference=1.0, coarse=True):
         self.data, self.shape = np.array(data, dtype=float), np.ones(6) if shape is None else np.array(shape)

@@ -125,13 +125,13 @@ def test_innovations_are_white_and_of_one_size():
         x.append(r * x[-1] + np.sqrt(1 - r * r) * rng.standard_normal())
     model = SimpleNamespace(samples=SimpleNamespace(memory=memory), _rho=rho)
     values = np.array(x)
-    left = WaveformModel._white(model, values)
+    left = WaveformModel._innovations(model, values)
     assert len(left) == count and np.std(left) == pytest.approx(np.sqrt(1 - memory**2), rel=0.04)
     assert abs(np.corrcoef(left[1:], left[:-1])[0, 1]) < 0.04 < np.corrcoef(values[1:], values[:-1])[0, 1]
-    both = WaveformModel._white(model, np.column_stack([values, 2 * values]))
+    both = WaveformModel._innovations(model, np.column_stack([values, 2 * values]))
     assert both == pytest.approx(np.column_stack([left, 2 * left]))
     model.samples.memory = 0
-    assert WaveformModel._white(model, values) is values
+    assert WaveformModel._innovations(model, values) is values
 
 
 def test_the_memory_over_a_gap_is_that_of_a_process_in_continuous_time():

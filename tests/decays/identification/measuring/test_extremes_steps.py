@@ -142,10 +142,23 @@ def test_few_samples_a_period_or_uneven_ones_are_fitted_themselves():
 
 def test_noisy_extremes_are_left_for_the_samples():
     """Noise above 0.002 of the first amplitude, and few samples a period, or a decay down to the noise."""
-    assert observed(*decay(0.05, noise=1e-3)).samples is None
-    assert observed(*decay(0.1, noise=5e-3)).samples is not None  # 63 a period
-    assert observed(*decay(0.05, noise=5e-3, span=50.0)).samples is None  # 126 a period, and far above the noise
+    assert observed(*decay(0.05, noise=1e-3, span=80.0)).samples is None
+    assert observed(*decay(0.1, noise=5e-3, span=80.0)).samples is not None  # 63 a period
+    assert observed(*decay(0.05, noise=5e-3, span=80.0)).samples is None  # 126 a period, and far above the noise
     assert observed(*decay(0.05, noise=5e-3, fall=0.07)).samples is not None  # down to the noise
+
+
+def test_few_extremes_are_left_for_the_samples_where_their_noise_is_seen():
+    """Fewer than 20: above 0.0002 of the first amplitude the samples tell the noise, below the local fits do."""
+    for span, many in ((63.5, False), (66.5, True)):  # 19 and 20 extremes about their windows
+        seen = observed(*decay(0.05, noise=1e-3, span=span))
+        assert (seen.samples is None) == many
+    assert observed(*decay(0.05, noise=1e-4, span=60.0)).samples is None
+    assert observed(*decay(0.05, noise=1e-3, span=25.0)).samples is None  # too few periods for a smooth line
+
+
+def test_the_motion_is_fitted_where_it_is_asked_for():
+    assert observed(*decay(0.05), whole_motion=True).samples is not None
 
 
 def test_wide_angles_are_fitted_by_all_their_samples():

@@ -5,7 +5,8 @@ import pytest
 
 from asymptotics.decays.identification import sources
 from asymptotics.decays.identification.identify import identified
-from asymptotics.decays.identification.measuring.slow_base_line import without_slow_base_line
+from asymptotics.decays.identification.measuring.slow_base_line import slow_base_line, without_slow_base_line
+from asymptotics.decays.identification.sources import load
 from benchmarks.decays import decay
 
 T = np.arange(0, 150, 0.1)
@@ -66,5 +67,17 @@ def test_the_right_law_stands_with_an_unquiet_tail(monkeypatch):
     assert law.verdict == "consistent"
     assert law.epsilon[0].contains(made.strengths[0])
     # Without it the disturbance is what the law leaves.
-    monkeypatch.setattr(sources, "without_slow_base_line", lambda _, x: (x, ()))
+    monkeypatch.setattr(sources, "slow_base_line", lambda *_: None)
     assert identified(made.data, laws=[made.law]).law(made.law).law.verdict == "refuted"
+
+
+def test_the_cosines_stand_beside_the_law_to_nine_tenths_of_its_frequency():
+    base = 0.05 / (1 + np.exp(-(T - 110) / 4))
+    (seen,) = load({"t": T, "x": PURE + base + NOISE})
+    slow = slow_base_line(T, PURE + base + NOISE)
+    assert seen.samples.slow.shape == (len(seen.samples.t), slow.count)
+    # k half-turns in the record: the last has 0.9 of the frequency 1, which the spectrum knows to a bin.
+    assert 0.87 < slow.count * np.pi / T[-1] < 0.91
+    assert slow.columns(T[:3])[:, 1] == pytest.approx(np.cos(2 * np.pi * T[:3] / T[-1]))
+    (plain,) = load({"t": T, "x": PURE + NOISE})
+    assert plain.samples is None  # many extremes of a dense record: they are fitted
