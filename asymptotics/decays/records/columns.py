@@ -100,8 +100,8 @@ def quantity(name: str) -> str:
     words = [_without_axis(w) for w in re.split(r"[^\w]+|_|\d+", label.lower()) if w]
     found = [_MEANING[w] for w in words if w in _MEANING and (len(w) > 1 or _is_letter_of(w, words))]
     by_unit = _by_unit(unit)
-    # A (cm) is an amplitude, and no acceleration.
-    if label.strip().lower() == "a" and by_unit == "position":
+    # Of a letter alone the unit knows better: A (cm) is no acceleration, x (m/s) no place.
+    if label.strip().lower() in ("a", "v", "x", "y", "z") and by_unit in _MEASURED.values():
         return by_unit
     # A name that is one word of the list as a whole, such as x_value, is cut into no others.
     if label.lower().strip() in _MEANING:
