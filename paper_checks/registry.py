@@ -29,6 +29,7 @@ reported as open and the run ends with exit code 1.
 """
 
 import inspect
+import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
@@ -195,6 +196,20 @@ def confirmed_form(entry: Statement) -> Any:
     return entry.printed if entry.verdict in (Printed.HOLDS, Printed.DEFINITION) else entry.corrected
 
 
+def _section(name: str) -> None:
+    """A module of statements, whole or not at all: a time that is over on the way leaves no half of it registered."""
+    entries, known = dict(_REGISTRY), {*sys.modules}
+    try:
+        import_module(name)
+    except BaseException:
+        for module in {*sys.modules} - known:
+            if module.startswith("paper_checks."):
+                del sys.modules[module]
+        _REGISTRY.clear()
+        _REGISTRY.update(entries)
+        raise
+
+
 def load(paper: str | None = None) -> dict[str, Statement]:
     """All entries of a paper (of all papers without an argument), in reading order.
 
@@ -203,7 +218,7 @@ def load(paper: str | None = None) -> dict[str, Statement]:
     """
     for name in [paper] if paper else SECTIONS:
         for section in SECTIONS[name]:
-            import_module(f"paper_checks.{name}.{section}")
+            _section(f"paper_checks.{name}.{section}")
     modules = [f"paper_checks.{name}.{section}" for name, sections in SECTIONS.items() for section in sections]
     place = {module: position for position, module in enumerate(modules)}
     first_seen: dict[Any, int] = {}

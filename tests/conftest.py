@@ -39,6 +39,10 @@ WALKS = (  # over the syntax trees of all sources, which a process parses once
 )  # fmt: skip
 
 
+RESULTS = ("tests/ask/test_hostile_objects", "tests/present/test_shown", "tests/test_same_again")
+"""Tests of one of each type of result, which a process makes once."""
+
+
 LONGEST = (  # minutes each: what begins last ends last, on one core
     "tests/decays/identification/test_coverage.py::test_coverage_on_a_thousand_records",
     "tests/derivations/test_alterations.py::test_every_line_with_a_side_altered_stops[multiple-scales-quadratic]",
@@ -80,6 +84,8 @@ class ByFile(LoadScopeScheduling):
     def _split_scope(self, nodeid):
         if nodeid.startswith(FIRST):
             return "first"
+        if nodeid.startswith(RESULTS):
+            return "results"
         return "walks" if nodeid.startswith(WALKS) else nodeid.split("::")[0]
 
 

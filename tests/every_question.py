@@ -29,9 +29,13 @@ def example(name: str, folder: Path, data: str | None = None) -> list[str]:
 
 def in_world(name: str, folder: Path, world: str) -> list[str]:
     """The example of a command, its law and start those of a world."""
-    words, law = example(name, folder), ("--law", "--alpha", "--epsilon")
-    kept = [w for w, before in zip(words, ["", *words]) if w not in law and before not in law]
-    return [*kept, *shlex.split(WORLDS[world].words)]
+    return [*without_law(example(name, folder)), *shlex.split(WORLDS[world].words)]
+
+
+def without_law(words: list[str]) -> list[str]:
+    """The words of a request but those of its law."""
+    law = ("--law", "--alpha", "--epsilon")
+    return [w for w, before in zip(words, ["", *words]) if w not in law and before not in law]
 
 
 def worlds_of(name: str) -> Iterator[str]:

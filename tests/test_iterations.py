@@ -28,7 +28,7 @@ HARMLESS = {
     "motions/truncation.py:_iterated": "two digits of the change of a start, for a measured estimate",
     "flow/secant.py:secant": "a guess: any place ahead will do, the miss there is bounded",
     "return_map/half_swings.py:_near": "the place with the least residual: the residual bounds its error after",
-    "return_map/courses.py:near": "any t serves: how far its time is from the one wanted is bounded after",
+    "return_map/courses.py:_reached": "any t serves: how far its time is from the one wanted is bounded after",
     "return_map/hand_overs.py:at_angle": "any speed serves: by how much its angle misses is in the answer, as dz",
     "flow/slow_manifold/slow_curve.py:solve": "the interval about the last place must hold its own image",
     "turning/energy_primitive.py:_guess": "the signs on both sides enclose the root",

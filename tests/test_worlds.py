@@ -1,13 +1,14 @@
 """What holds of every answer in every world: routes, digits, units, expansions, bounds, fits agree."""
 
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 
 import asymptotics as asy
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.turning.routes import ROUTES
-from tests.worlds import DECAYING, WORLDS
+from tests.worlds import CREEPING, DECAYING, EVERYDAY, NEAR_EQUAL, WORLDS
 
 COUNT, TIME = 3, 2
 
@@ -27,6 +28,20 @@ def answered(call):
     except asy.InputError as refused:
         assert str(refused).isprintable()
         return None
+
+
+def unused(worlds, text):
+    """The worlds that no test asks for by name."""
+    return [name for name in worlds if f'"{name}"' not in text]
+
+
+def test_every_world_is_another_says_what_it_may_break_and_is_asked():
+    whole = {*EVERYDAY, *CREEPING, *NEAR_EQUAL}  # groups over which their tests run as they are
+    files = (path for path in Path(__file__).parent.rglob("*.py") if path.name != "worlds.py")
+    assert unused(WORLDS.keys() - whole, "".join(path.read_text(encoding="utf-8") for path in files)) == []
+    assert len({repr((w.law, w.spring, w.units)) for w in WORLDS.values()}) == len(WORLDS)
+    assert all(w.breaks for w in WORLDS.values())
+    assert unused(["nobody asks " + "for me"], "nobody asks") != []  # near miss
 
 
 @pytest.fixture(params=DECAYING)

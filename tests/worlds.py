@@ -83,6 +83,7 @@ POWERS = {  # losses in the speed alone, for the local expansions, the steps and
     "a strong power between": World({"3/2": "5"}, "most of the half-swing is spent near rest: powers of roots there"),
     "a strong root": World({"1/2": "1/2"}, "the force rises at once: the piece at rest is short"),
     "a weak root": World({"1/2": "1/100"}, "delta grows as the amplitude falls: no map from 0"),
+    "a root beside a cube": World({"1/2": "1/20", 3: "1/5"}, "one law rules near rest, the other where it is fast"),
     "a strong cube": World({3: "2"}, "steep where it is fast, nothing where it is slow"),
     "a steep power": World({40: "1/10"}, "a radius of convergence that the speed alone decides"),
     "next to dry friction": World({"1/100": "1/3"}, "nearly a jump of the force at rest; exponents by hundredths"),
@@ -91,6 +92,7 @@ POWERS = {  # losses in the speed alone, for the local expansions, the steps and
     "dry friction beside a cube": World({0: "1/30", 3: "1"}, "a stop, and a loss that is nothing where it stops"),
     "dry friction beside a root": World({0: "1/50", "1/2": "1/10"}, "two forces that both are there at rest"),
     "dry friction beside the linear loss": World({0: "1/20", 1: "1/10"}, "a closed motion that ends"),
+    "dry friction and nearly critical": World({0: "1/50", 1: "3/2"}, "it stops before it would turn again"),
     "dry friction beside three halves": World({0: "1/20", "3/2": "1/10"}, "a jump of the force beside powers of roots"),
     "three weak powers": World({0: "1/500", 1: "1/50", 2: "1/10"}, "each rules at an amplitude of its own"),
     "two powers above one": World({2: "1/10", 3: "1/30"}, "two strengths that fall at different rates"),
@@ -133,6 +135,13 @@ WELLS = {  # springs that are not linear: no closed energy, a period that depend
 }
 WORLDS = EVERYDAY | POWERS | CREEPING | NEAR_EQUAL | WELLS
 DECAYING = [name for name in EVERYDAY if not name.startswith("gains")]
+STARTS = {  # (x, v), each with what it may break
+    "from rest": ("1", "0"),  # a turning point at once
+    "outwards": ("0.75", "0.25"),  # a turning point after the start
+    "beyond the middle": ("-0.25", "0.5"),  # a place of the other sign
+    "from the middle": ("0", "1"),  # no place to divide by
+    "nearly at rest": ("0.5", "0.001"),  # a speed that a bound takes for none
+}
 RIVALS = ["1", "2", "1+2", "0+1"]
 """The laws that ``identify`` chooses from where four are enough: three true ones and a sum that contains one."""
 OSCILLATOR = WORLDS["SI"].oscillator

@@ -175,6 +175,9 @@ class Question:
         strengths += [text.partition(":")[2] for text in getattr(options, "law", None) or ()]
         special |= any(text.strip().startswith("-") for text in strengths)
         special |= any("," in text.partition(":")[0] for text in getattr(options, "law", None) or ())
+        # In another gauge the numbers are others.
+        usual = [a.default for a in self.asked if a.name == "gauge"]
+        special |= bool(usual) and getattr(options, "gauge", None) not in (None, *usual)
         if self.offers.oscillator_alone or (self.offers.from_rest and not special):
             return []
         return self.as_typed(options)
@@ -267,9 +270,9 @@ def question(
             bound = signature.bind(*args, **rest)
             bound.apply_defaults()
             given = bound.arguments
-            values = made.read(given)
-            rest = {n: v for n, v in given.items() if n not in values}
             try:
+                values = made.read(given)
+                rest = {n: v for n, v in given.items() if n not in values}
                 return with_notes(compute(**values, **rest), _floats(made, given))
             except InputError as error:
                 raise made.in_python(error) from error

@@ -6,6 +6,8 @@
 ('1.58613883660', '-0.0277591588534')
 """
 
+from math import inf
+
 import mpmath
 import sympy
 
@@ -52,7 +54,9 @@ def amplitude_and_phase(
         numbers = {s: sympy.Float(v.str(digits + 30, radius=False), digits + 30) for s, v in values.items()}
         length = sympy.Float(oscillator.length().mid().str(digits + 30, radius=False), digits + 30)
     _require_before_extinction(series, numbers)
-    return _decimal(length * A.subs(numbers), digits), _decimal(phi.subs(numbers), digits)
+    # From rest on the other side phi is half a turn later.
+    first = sympy.pi if oscillator.x0 < 0 else sympy.Integer(0)
+    return _decimal(length * A.subs(numbers), digits), _decimal(first + phi.subs(numbers), digits)
 
 
 def _decimal(form: sympy.Expr, digits: int) -> str:
@@ -64,8 +68,17 @@ def _decimal(form: sympy.Expr, digits: int) -> str:
 
 
 def _require_before_extinction(series: EnvelopeSeries, numbers: dict[sympy.Symbol, sympy.Float]) -> None:
-    # Beyond the extinction of the truncated series 1 + (alpha-1) p_1 epsilon tau is negative, and its power complex.
-    if series.alpha < 1:
-        end = series.extinction_time(ExactReal(from_sympy(sympy.Rational(numbers[epsilon]))))
-        if not float(numbers[tau]) < end:
-            raise InputError("time", f"the averaged amplitude is extinct from tau = {end:.6g} on", "an earlier time")
+    end = end_of_series(series, ExactReal(from_sympy(sympy.Rational(numbers[epsilon]))))
+    if not float(numbers[tau]) < end:
+        raise InputError("time", f"the averaged amplitude is extinct from tau = {end:.6g} on", "an earlier time")
+
+
+def end_of_series(series: EnvelopeSeries, strength: ExactReal) -> float:
+    """tau of the extinction of the truncated series; infinity for alpha >= 1.
+
+    >>> from asymptotics.curves.slow_series import envelope_series
+    >>> round(end_of_series(envelope_series(ExactReal(0), 3), ExactReal("1/50")), 6)
+    78.539816
+    """
+    # Beyond it 1 + (alpha-1) p_1 epsilon tau is negative, and its power complex.
+    return series.extinction_time(strength) if series.alpha < 1 else inf

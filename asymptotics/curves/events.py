@@ -95,8 +95,12 @@ def events_of(moving: _Sampled, until: Number, stop: float | None) -> Events:
         last = min(last, stop)
     grid = np.linspace(0.0, last, int(_PER_HALF_SWING * (swings + 1)) + 2)
     found = moving.sample(grid)
-    turning = _crossings(moving, grid, found.v, of_velocity=True)
-    zeros = _crossings(moving, grid, found.x, of_velocity=False)
+    # What is 0 at the start is no event (0 < t); the sample may be -1e-16 there, or what an expansion leaves.
+    at_rest, at_zero = (
+        np.append(0.0 if x.is_zero else 1.0, np.ones(grid.size - 1)) for x in (oscillator.v0, oscillator.x0)
+    )
+    turning = _crossings(moving, grid, found.v * at_rest, of_velocity=True)
+    zeros = _crossings(moving, grid, found.x * at_zero, of_velocity=False)
     at_turning, at_zeros = moving.sample(turning), moving.sample(zeros)
     ended = stop if stop is not None and stop <= float(end.ball().mid()) else None
     return Events(turning, at_turning.x, zeros, at_zeros.v, ended, float(end.ball().mid()), moving.frame)

@@ -107,7 +107,7 @@ class ImplicitSolution(ProvedCurve):
 
     @property
     def phase_of_amplitude(self) -> Expr:
-        """phi(A), less phi(0) for a start in motion."""
+        """phi(A), less phi(0) for a start in motion or at x0 < 0."""
         limits = u, amplitude_symbol, self._put(self.first)
         return Integral(self.detuning / sympy.factor_terms(self.loss), limits)
 
@@ -122,7 +122,7 @@ class ImplicitSolution(ProvedCurve):
 
     @public
     def at(self, time: Number, *, digits: int = 30, max_seconds: Number = 60) -> MotionPoint:
-        """A, phi and x at one tau >= 0, in units of x_0, by the numeric inverse; not certified."""
+        """A, phi and x at one tau >= 0, in units of |x_0|, by the numeric inverse; not certified."""
         require_one(time, "time", "sample(times)")
         return self._motion.at(time, digits)
 
@@ -158,38 +158,47 @@ class ImplicitSolution(ProvedCurve):
         head = {"order": self.order, "gauge": TURNING_POINT, "amplitude": None, "phase": None, "x": None}
         made = self.formulas
         forms = {"time_of_amplitude": str(made.time_of_amplitude), "phase_of_amplitude": str(made.phase_of_amplitude)}
+        forms |= {"phi_0": "pi"} if self.mirrored else {}
         forms |= {} if self.start is None else dict(zip(("a_0", "phi_0"), map(str, self.start)))
         return {**head, **forms, "strengths": self.strengths, **made.validity, "certified": False}
 
     def latex(self, *, standalone: bool = False) -> str:
         """The formulas as LaTeX: a fragment, or a document that compiles with pdflatex."""
         require_flag(standalone, "standalone")
+        first = self._first_phase(r"\varphi_{0}", r"\pi")
         rows = [
             rf"\tau(A) = {latex(self.formulas.time_of_amplitude)}",
-            rf"\varphi(A) = {latex(self.formulas.phase_of_amplitude)}" + (r" + \varphi_{0}" if self.start else ""),
+            rf"\varphi(A) = {latex(self.formulas.phase_of_amplitude)}{first}",
         ]
         if self.start is not None:
             rows += [f"a_{{0}} = {latex(self.start[0])}", rf"\varphi_{{0}} = {latex(self.start[1])}"]
         body = "\n".join(rf"\[ {row} \]" for row in rows)
         return document(body) if standalone else body
 
+    def _first_phase(self, letter: str, half_turn: str) -> str:
+        """What is added to the integral: phi(0), where it is not 0."""
+        if self.start is not None:
+            return f" + {letter}"
+        return f" + {half_turn}" if self.mirrored else ""
+
     def _page(self) -> Page:
         title, *rest = str(self).splitlines()
         return Page(title, tuple(rest))
 
     def _formula(self) -> str:
-        made = self.formulas
-        return rf"\tau(A) = {latex(made.time_of_amplitude)},\quad \varphi(A) = {latex(made.phase_of_amplitude)}"
+        made, first = self.formulas, self._first_phase(r"\varphi_{0}", r"\pi")
+        return rf"\tau(A) = {latex(made.time_of_amplitude)},\quad \varphi(A) = {latex(made.phase_of_amplitude)}{first}"
 
     def __str__(self) -> str:
         forces = " + ".join(f"{s} {shape}" for s, shape in zip(self.scales.symbols, self.scales.shapes))
-        place = "x(0) = 1, x'(0) = 0" if self.start is None else "x(0)**2 + x'(0)**2 = 1"
+        place = f"x(0) = {-1 if self.mirrored else 1}, x'(0) = 0" if self.start is None else "x(0)**2 + x'(0)**2 = 1"
         lines = [f"x'' + x + {forces} = 0, {place}: through order {self.order}, turning-point gauge"]
-        phi_0 = "" if self.start is None else " + phi_0"
+        phi_0 = self._first_phase("phi_0", "pi")
         lines += [f"tau(A) = {self.formulas.time_of_amplitude}", f"phi(A) = {self.formulas.phase_of_amplitude}{phi_0}"]
         lines += [] if self.start is None else [f"a_0 = {self.start[0]}", f"phi_0 = {self.start[1]}"]
         lines += [f"{name} = {value}" for name, value in self.strengths.items()]
-        unit = "x(0), 0 < A <= 1" if self.start is None else "the radius of the start, 0 < A <= a_0"
+        unit = "|x(0)|, 0 < A <= 1" if self.mirrored else "x(0), 0 < A <= 1"
+        unit = unit if self.start is None else "the radius of the start, 0 < A <= a_0"
         lines += [f"A in units of {unit}; A(tau) has no explicit form", "x: numerically, by the inverse"]
         lines.append(f"error   O(epsilon**{self.order}) at fixed epsilon*tau; not certified")
         return "\n".join([*lines, *proved_lines(self), *self.notes])
@@ -208,12 +217,12 @@ def implicit_solution(oscillator: Oscillator, order: int, frame: Frame) -> Impli
 
 
 def _dimensionless(given: Oscillator) -> Oscillator:
-    """The same motion in units of 1/omega_0 and of the radius of the start, of a start at rest from x = 1."""
+    """The same motion in units of 1/omega_0 and of the radius of the start."""
     # Strengths without units belong to a start at distance 1, from rest or in motion: only the place on that circle is
-    # left to say, and at rest x0 < 0 is the mirror image of x0 > 0, since every force is odd under (x, v) -> (-x, -v).
+    # left to say.
     law = given.dimensionless
     if given.v0.is_zero:
-        return of_unit_start(law)
+        return of_unit_start(law, x0=-1 if given.x0 < 0 else 1)
     numbers = (given.mass, given.stiffness, given.x0, given.v0)
     # x0/radius and its speed are square roots of rationals if all four numbers are rational; a root under the root has
     # no place in ExactReal, and a rounded start would not be the one whose bound is asked for.

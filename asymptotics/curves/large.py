@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike
 
 from asymptotics.curves.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve
 from asymptotics.curves.slow_numbers import SlowNumbers
-from asymptotics.envelopes.first_order import exact_kappa
+from asymptotics.envelopes.first_order import exact_kappa, start_phase
 from asymptotics.envelopes.large import SlowFlow
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.expansions.straightening.wells import Loss, Well
@@ -44,6 +44,7 @@ from asymptotics.numbers.precision import at_growing_precision
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
 from asymptotics.running.public import public
+from asymptotics.terms import Term
 
 # Refusals alone: each step of a Newton iteration integrates hypergeometric functions to all digits, and at omega_0 t =
 # 10^100 the number of turns itself has a hundred.
@@ -108,9 +109,11 @@ class SpringEnvelope(SlowNumbers, Drawn):
 
     @public
     def phase(self, t: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
-        """phi(t) = psi - omega_0 t in rad."""
+        """phi(t) = psi - omega_0 t in rad; phi(0) is 0, or pi where x0 < 0."""
         require_one(t, "t", "phases(t)")
-        return self._decimal(lambda seconds: self._flow().phase(self._tau(seconds)), t, digits)
+        return self._decimal(
+            lambda seconds: start_phase(self.oscillator) + self._flow().phase(self._tau(seconds)), t, digits
+        )
 
     @public
     def time(self, amplitude: Number, *, digits: int = 30, max_seconds: Number = 60) -> str:
@@ -156,12 +159,14 @@ class SpringEnvelope(SlowNumbers, Drawn):
 
     @public
     def kappas(self, *, digits: int = 30, max_seconds: Number = 60) -> tuple[str, ...]:
-        """kappa_i = <|cos|^m |sin|^(alpha+1)> epsilon_i of the losses: their rates at small amplitude."""
+        """kappa_i = <|cos|^m |sin|^(alpha+1)> epsilon_i of the losses in their order: rates at small amplitude."""
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
-        exact = [exact_kappa(t) for t in self.oscillator.dimensionless.losses if not t.strength.is_zero]
+        losses = self.oscillator.dimensionless.losses
+        exact = [ExactReal(0) if t.strength.is_zero else exact_kappa(t) for t in losses]
 
         def rate(i: int) -> arb | ExactReal:
-            return exact[i] or self._losses()[i].epsilon * self._losses()[i].mean
+            known, loss = exact[i], _loss(losses[i])
+            return loss.epsilon * loss.mean if known is None else known
 
         return tuple(certified_decimal(partial(rate, i), D) for i in range(len(exact)))
 
@@ -211,7 +216,8 @@ class SpringEnvelope(SlowNumbers, Drawn):
         side = length * self.oscillator.x0.sign
         rows = (X * side, V * side * omega, A * length)
         x, v, A = (np.where(missing, np.nan, np.where(gone, 0.0, row)) for row in rows)
-        phase = np.where(missing | gone, np.nan, phi)
+        # psi + pi is on the other side, and the wave at psi with its sign changed the same without a rounding.
+        phase = np.where(missing | gone, np.nan, phi + float(start_phase(self.oscillator).mid()))
         extinction = None if np.isinf(table.extinction) else table.extinction / omega
         return MotionSamples(times, x, v, A, phase, 1, "turning-point", int(missing.sum()),
                              int((gone & ~missing).sum()), extinction, self.notes,
@@ -276,8 +282,7 @@ class SpringEnvelope(SlowNumbers, Drawn):
         return self.oscillator.length()
 
     def _losses(self) -> tuple[Loss, ...]:
-        terms = self.oscillator.dimensionless.losses
-        return tuple(Loss(t.strength.ball(), t.velocity.ball(), t.position) for t in terms if not t.strength.is_zero)
+        return tuple(_loss(t) for t in self.oscillator.dimensionless.losses if not t.strength.is_zero)
 
     def _flow(self) -> SlowFlow:
         """The flow with balls of the current precision."""
@@ -323,6 +328,10 @@ class SpringEnvelope(SlowNumbers, Drawn):
 
     def _letters(self) -> dict[str, str]:
         return {"A": "turning amplitude", "F": "the hypergeometric function"}
+
+
+def _loss(term: Term) -> Loss:
+    return Loss(term.strength.ball(), term.velocity.ball(), term.position)
 
 
 def _require_near(near: bool) -> None:

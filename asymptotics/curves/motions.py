@@ -91,6 +91,7 @@ class Motion(Drawn):
 
         LimitError where no enclosure of x(t) is within a minute's reach.
         """
+        digits = exact_integer(digits, "digits", 1, 300)
         return proved_bound(self.oscillator, self.at(t, digits=digits).x, t, max_seconds=seconds_left())
 
     @public

@@ -12,7 +12,7 @@ from asymptotics.certificates.certificate import Certificate
 from asymptotics.certificates.of_results import of_states
 from asymptotics.errors import InputError
 from asymptotics.law import Oscillator
-from asymptotics.numbers.policy import Number, exact_number
+from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.running.public import public
 
 MAX_STATES = 1000
@@ -34,6 +34,7 @@ class ProvedStates:
         """
         if self.static is not None:
             raise InputError("certificate", "static friction is another equation", "a motion without it")
+        digits = exact_integer(digits, "digits", 1, 1000)
         several = isinstance(t, Sequence) and not isinstance(t, str)
         if several and not 1 <= len(cast("Sequence[Number]", t)) <= MAX_STATES:
             raise InputError("t", f"{len(cast('Sequence[Number]', t))} times", f"1 to {MAX_STATES} times")

@@ -56,7 +56,7 @@ def text_of(s: Any) -> str:
     """The formulas of a ``Solution`` as text."""
     leading, slow, relative, slow_phase, start = _slow_part(s)
     power = {Integer(1): "x'", Integer(2): "x'|x'|"}.get(s.alpha, f"x'|x'|^({s.alpha} - 1)")
-    place = "x(0) = 1, x'(0) = 0" if s.start is None else "x(0)**2 + x'(0)**2 = 1"
+    place = f"x(0) = {-1 if s.mirrored else 1}, x'(0) = 0" if s.start is None else "x(0)**2 + x'(0)**2 = 1"
     lines = [f"x'' + x + epsilon {power} = 0, {place}: through order {s.order}, turning-point gauge"]
     lines += [f"{e.lhs!s:7} = {e.rhs}" for e in start]
     lines += [] if s.alpha == 1 else [f"D       = {slow}"]
@@ -129,19 +129,19 @@ def _slow_part(s: Any) -> tuple[Expr, Expr, Expr, Expr, list[Eq]]:
     """A_0, D, A and phi as they are shown, and what a start in motion puts before them: a_0, phi_0, epsilon_0."""
     found = (*s.leading, A_0 * s.relative, s.slow_phase)
     if s.start is None:
-        return *found, []
+        return *found[:-1], s.first_phase + s.slow_phase, []
     leading, slow, relative, slow_phase = (s.with_start_strength(e) for e in found)
-    a_0, phi_0, _ = s.letters
+    a_0 = next(iter(s.letters))
     # Unevaluated: SymPy would decide at once that two expressions are equal or not, and print True.
     begin = [Eq(letter, value, evaluate=False) for letter, value in s.letters.items()]
-    return leading, slow, a_0 * relative, phi_0 + slow_phase, begin
+    return leading, slow, a_0 * relative, s.first_phase + slow_phase, begin
 
 
 def latex_lines(s: Any) -> list[str]:
     """The formulas of a ``Solution`` as displayed lines of LaTeX."""
     leading, slow, relative, slow_phase, start = _slow_part(s)
     force = r"\dot x" if s.alpha == 1 else rf"\dot x|\dot x|^{{{latex(s.alpha - 1)}}}"
-    place = r"x(0) = 1,\quad \dot x(0) = 0" if s.start is None else r"x(0)^2 + \dot x(0)^2 = 1"
+    place = rf"x(0) = {-1 if s.mirrored else 1},\quad \dot x(0) = 0" if s.start is None else r"x(0)^2 + \dot x(0)^2 = 1"
     lines = [rf"\ddot x + x + \epsilon\,{force} = 0,\quad {place}"]
     for e in start:
         lines += rows_of(latex(e.lhs), e.rhs)

@@ -8,7 +8,8 @@ averaged equation (Krylov and Bogoliubov; Bogoliubov and Mitropolsky, 1961) is s
 [0.2, 0.16499144]
 """
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -16,21 +17,23 @@ import numpy as np
 import sympy
 from numpy.typing import ArrayLike
 
-from asymptotics.curves.envelope_order import acting_term, amplitude_and_phase, require_rest
+from asymptotics.curves.envelope_order import acting_term, amplitude_and_phase, end_of_series, require_rest
 from asymptotics.curves.large import SpringEnvelope
 from asymptotics.curves.motions import POINTS, axes_of_motion, envelope_lines, time_of_curve, times_of
 from asymptotics.curves.slow_numbers import SlowNumbers
 from asymptotics.curves.slow_series import MAX_ORDER as MAX_SERIES_ORDER
 from asymptotics.curves.slow_series import EnvelopeSeries, envelope_series
 from asymptotics.curves.slowness import SlowPart, slow_part
+from asymptotics.curves.started import start_angle
 from asymptotics.envelopes.explicit import ClosedForm, explicit_amplitude
-from asymptotics.envelopes.first_order import FirstOrderEnvelope
+from asymptotics.envelopes.first_order import FirstOrderEnvelope, start_phase
 from asymptotics.envelopes.hypergeometric import time_of_amplitude
 from asymptotics.envelopes.long_time import extinction, long_time
 from asymptotics.envelopes.slow_time import epsilon
 from asymptotics.envelopes.symbolic import MEAN, AveragedLaw, averaged_law, tau
 from asymptotics.errors import InputError
 from asymptotics.frames import Frame, require_frame
+from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.law_given import given_of, require_oscillator
 from asymptotics.motions.asymptotic import AsymptoticMotion
@@ -38,6 +41,8 @@ from asymptotics.motions.certify import time_of
 from asymptotics.motions.result import MotionSamples
 from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.context import cached_property
+from asymptotics.numbers.double_error import EPS
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_integer, require_one
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page
@@ -49,7 +54,9 @@ MAX_DIGITS = 1000
 
 @dataclass(frozen=True, repr=False)
 class Envelope(SlowNumbers, Drawn):
-    """A(t) and phi(t) of dA/dtau = -sum kappa_i A^alpha_i, in SI units for an oscillator.
+    """A(t) and phi(t) of dA/dtau = -sum kappa_i A^alpha_i, in SI units for an oscillator; x = A cos(omega_0 t + phi).
+
+    phi(0) is 0 from rest at x0 > 0, pi at x0 < 0, and the angle of x - i v/omega_0 for a start in motion.
 
     Digits are certified for the averaged law; how far that is from the motion is what higher orders tell.
     """
@@ -152,17 +159,17 @@ class Envelope(SlowNumbers, Drawn):
 
     @property
     def phase_formula(self) -> sympy.Expr | None:
-        """phi as a function of tau and epsilon for one law, turning-point gauge, 0 at the start; None for a sum.
+        """phi as a function of tau and epsilon for one law, turning-point gauge, with phi(0); None for a sum.
 
         >>> envelope({3: "1/10"}).phase_formula, envelope({3: "1/10"}).total_lag
         (-15*epsilon/64 + 15*epsilon/(64*(3*epsilon*tau/4 + 1)), 15*epsilon/64)
         """
         alone = self._alone()
-        return None if alone is None or self.averaging != MEAN else alone.phase
+        return None if alone is None or self.averaging != MEAN else start_angle(self.oscillator) + alone.phase
 
     @property
     def total_lag(self) -> sympy.Expr | None:
-        """-phi at infinity, the same in every gauge: finite for one law with alpha > 1, None otherwise."""
+        """phi(0) - phi at infinity, the same in every gauge: finite for one law with alpha > 1, None otherwise."""
         alone = self._alone()
         # dphi/dtau is of the size delta^2, and the integral of delta^2 over all time is finite where delta falls like
         # 1/tau: for alpha > 1.
@@ -203,9 +210,20 @@ class Envelope(SlowNumbers, Drawn):
 
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
-        """Arrays of A, phi and x = A cos(omega_0 t + phi) at the times ``t`` (s, or tau): doubles."""
+        """A, phi, x = A cos(omega_0 t + phi) and v = -omega_0 A sin(omega_0 t + phi) at ``t`` (s, or tau): doubles.
+
+        A and phi are ``amplitudes`` and ``phases``; from the extinction on x = v = 0.
+        """
         self._require_phase()
-        return replace(AsymptoticMotion.of(self.oscillator, 1).sample(times_of(t)), frame=self.frame)
+        times = times_of(t)
+        A, phi = self.amplitudes(times), self.phases(times)
+        gone, omega = A == 0, float(self.oscillator.omega_0().mid())
+        psi = omega * times + phi
+        x, v = (np.where(gone, 0.0, row) for row in (A * np.cos(psi), -omega * A * np.sin(psi)))
+        end = self.extinction_time(digits=17)
+        lost = int(np.isnan(times).sum()), int(gone.sum())
+        return MotionSamples(times, x, v, A, phi, 1, TURNING_POINT, *lost, None if end is None else float(end),
+                             self.notes, self.frame)  # fmt: skip
 
     @public
     def amplitudes(self, t: ArrayLike, *, max_seconds: Number = 60) -> Any:
@@ -214,13 +232,13 @@ class Envelope(SlowNumbers, Drawn):
 
     @public
     def phases(self, t: ArrayLike, *, max_seconds: Number = 60) -> Any:
-        """phi in rad at an array of times ``t`` (s, or tau), 0 at the start: doubles; NaN where it is not known."""
+        """phi in rad at an array of times ``t`` (s, or tau), as ``phase``: doubles; NaN where it is not known."""
         # The squaring trick is one for the amplitude: it has no phase.
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
-        # The difference below puts phi = 0 at the start, where the motion of order 2 has its own phi(0).
+        # The motion of order 2 has a phi(0) of its own.
         motion, rate = self._turning
-        phi = motion.phases(np.asarray(times_of(t)) * rate) - motion.phases(np.zeros(1))[0]
+        phi = motion.phases(np.asarray(times_of(t)) * rate) - motion.phases(np.zeros(1))[0] + self._first_phase
         # From the extinction on there is no amplitude, and a phase of nothing is NaN, not the last value.
         return np.where(self.amplitudes(t) > 0, phi, np.nan)
 
@@ -229,7 +247,12 @@ class Envelope(SlowNumbers, Drawn):
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
         motion, rate = self._turning
-        return motion.double_errors(np.asarray(times_of(t)) * rate)["phase"]
+        # The angle of the start is subtracted, and that of this law added.
+        return motion.double_errors(np.asarray(times_of(t)) * rate)["phase"] + 4 * EPS * abs(self._first_phase)
+
+    @property
+    def _first_phase(self) -> float:
+        return float(start_phase(self.oscillator).mid())
 
     def _roundings(self, A: Any) -> float:
         """How often the doubles of ``amplitudes`` are rounded, down to the least of an array of them."""
@@ -253,7 +276,10 @@ class Envelope(SlowNumbers, Drawn):
 
     @public
     def columns(self, t: ArrayLike, *, order: int | None = None, max_seconds: Number = 60) -> tuple[Any, Any, Any]:
-        """Arrays t, A, phi at the times ``t`` (s, or tau), in doubles, of an ``order`` (``series``), else the first."""
+        """Arrays t, A, phi at the times ``t`` (s, or tau), in doubles, of an ``order`` (``series``), else the first.
+
+        From the extinction on A is 0 and phi NaN.
+        """
         times = times_of(t)
         if order is None:
             return times, self.amplitudes(times), self.phases(times)
@@ -262,20 +288,27 @@ class Envelope(SlowNumbers, Drawn):
         epsilon_, omega, length = (
             float(x.mid()) for x in (acting_term(oscillator).strength.ball(), oscillator.omega_0(), oscillator.length())
         )
-        forms = (sympy.lambdify([tau, epsilon], e, "numpy", cse=True) for e in self.series(order).explicit)
+        series = self.series(order)
+        forms = (sympy.lambdify([tau, epsilon], e, "numpy", cse=True) for e in series.explicit)
+        # Beyond the extinction the formulas are taken at the start, and overwritten.
+        gone = times * omega >= end_of_series(series, ExactReal(Fraction(epsilon_)))
         # 0 times the times gives a constant the shape of the array.
-        A, phi = (f(times * omega, epsilon_) + 0.0 * times for f in forms)
-        return times, A * length, phi
+        A, phi = (f(np.where(gone, 0.0, times) * omega, epsilon_) + 0.0 * times for f in forms)
+        return times, np.where(gone, 0.0, A * length), np.where(gone, np.nan, phi + self._first_phase)
 
     def _heading(self) -> str:
-        return f"{self.oscillator}: envelope, first order, {self.averaging}"
+        return self._headed({})
+
+    def _headed(self, style: Mapping[str, Any]) -> str:
+        order = style.get("order")
+        return f"{self.oscillator}: envelope, {'first order' if order is None else f'order {order}'}, {self.averaging}"
 
     def _curve(self, axes: Any, **style: Any) -> None:
         order, until = style.pop("order", None), time_of_curve(self.oscillator, style.pop("until", None))
         t, A, phi = self.columns(np.linspace(0.0, until, POINTS), order=order)
-        # Without an amplitude any phase draws the same curve; with the squaring trick, which has none, it is A
-        # cos(omega_0 t).
-        psi = t * float(self.oscillator.omega_0().mid()) + np.nan_to_num(phi)
+        # Without an amplitude any phase draws the same curve; with the squaring trick, which has none, it is that of
+        # the start.
+        psi = t * float(self.oscillator.omega_0().mid()) + np.where(np.isnan(phi), self._first_phase, phi)
         axes_of_motion(axes, self.frame)
         named = r"$A\,\cos(\omega_0 t + \varphi)$" + ("" if order is None else f", order {order}")
         axes.plot(t, A * np.cos(psi), **{"label": named, **style})

@@ -147,9 +147,16 @@ class Solution(ProvedCurve):
 
     @cached_property
     def phase(self) -> Expr:
-        """phi in the same letters, 0 at a start at rest."""
+        """phi in the same letters, from ``first_phase`` on."""
         found = self.slow_phase.subs(D, self.leading[1])
-        return self._put(found if self.start is None else phi_0 + self.with_start_strength(found))
+        return self._put(self.first_phase + self.with_start_strength(found))
+
+    @property
+    def first_phase(self) -> Expr:
+        """phi(0): the letter of a start in motion, at rest 0, or pi where x0 < 0."""
+        if self.start is not None:
+            return phi_0
+        return pi if self.mirrored else Integer(0)
 
     @property
     def letters(self) -> dict[Expr, Expr]:
@@ -160,7 +167,7 @@ class Solution(ProvedCurve):
 
     def with_start_strength(self, found: Expr) -> Expr:
         """The same with epsilon_0, the local strength at the start, in the place of epsilon."""
-        return found if self.start is None else found.subs(epsilon, epsilon_0)
+        return expression(found, "found").subs({} if self.start is None else {epsilon: epsilon_0})
 
     @property
     def local_strength(self) -> Expr:
@@ -213,7 +220,7 @@ class Solution(ProvedCurve):
     def in_units(self, units: str = "epsilon", *, max_seconds: Number = 60) -> tuple[Expr, Expr]:
         """(A, phi) in tau and epsilon, in tau and Lancaster's kappa = M_(alpha+1) epsilon, or in t, m, k, b, x_0.
 
-        Letters all of them, also where a strength was given.
+        Letters all of them, also where a strength was given; x_0 > 0 is |x(0)|, of a start in motion its radius.
         """
         require_choice(units, "units", UNITS)
         amplitude, phase = self.formulas.amplitude, self.formulas.phase
@@ -244,7 +251,7 @@ class Solution(ProvedCurve):
 
     @public
     def sample(self, times: Any, *, max_seconds: Number = 60) -> tuple[Array, Array, Array]:
-        """(A, phi, x) at an array of tau, in doubles and units of x_0; InputError without a strength."""
+        """(A, phi, x) at an array of tau, in doubles and units of |x_0|; InputError without a strength."""
         A, phi, x = functions(self, float(self.strength))
         given = times_of(times)
         return A(given), phi(given), x(given)
@@ -301,9 +308,10 @@ class Solution(ProvedCurve):
             scaled, length = time_of(time).ball() * oscillator.omega_0(), oscillator.length()
             size, lag, x = numbers(self, sympy.Float(scaled.str(known, radius=False), known), digits)
             unit = mpmath.mpf(length.str(known, radius=False))
-            # The formulas are of a start at rest at +1; a start in motion has its side in phi(0) already.
-            turned = -x if oscillator.x0 < 0 and oscillator.v0.is_zero else x
-            return rounded_point(size * unit, lag, turned * unit, digits)
+            # Made for another start at rest (the formulas for a strength alone, say), it is on the side of that one.
+            if self.start is None and self.mirrored != bool(oscillator.x0 < 0):
+                lag, x = lag + (mpmath.pi if oscillator.x0 < 0 else -mpmath.pi), -x
+            return rounded_point(size * unit, lag, x * unit, digits)
 
     @public
     def bound(self, time: Number, *, digits: Any = 30, max_seconds: Number = 60) -> str:
@@ -312,12 +320,13 @@ class Solution(ProvedCurve):
             raise InputError("v0", "a bound in units of the radius of the start is not served", "at_time, proved_bound")
         # The bound is of the printed decimal, so that its rounding is inside: an enclosure of the true motion beside
         # it, whatever way the decimal was found.
-        dimensionless = of_unit_start(self._given().dimensionless)
+        dimensionless = of_unit_start(self._given().dimensionless, x0=-1 if self.mirrored else 1)
         return proved_bound(dimensionless, self.at(time, digits=digits).x, time, max_seconds=seconds_left())
 
     def _theorem(self) -> Theorem:
         if self.start is not None:
             raise InputError("v0", "for a start in motion no bound for all times is proved", "v0 = 0, proved_bound")
+        # Of the mirror image too: every force is odd.
         oscillator = of_unit_start(self._given().dimensionless)
         return lambda until: explicit_bound(oscillator, self.order, until=until)
 
@@ -354,6 +363,7 @@ class Solution(ProvedCurve):
         rest |= {"x_by_name": x_by_name(letters)}
         begin = [f"{letter} = {value}" for letter, value in self.letters.items()]
         begin += [] if self.oscillator is None else [f"epsilon = {self.strength}"]
+        begin += ["x_0 = |x(0)|"] if self.mirrored else []
         rest["where"] = [*begin, *(f"{e.lhs} = {e.rhs}" for e in self.definitions())]
         return {**head, **rest, **letters.validity, "certified": False}
 

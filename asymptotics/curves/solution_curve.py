@@ -33,11 +33,15 @@ class SolutionCurve(Drawn):
         oscillator = self._given()
         omega, length = float(oscillator.omega_0().mid()), float(oscillator.length().mid())
         times = times_of(t)
-        # ``sample`` knows tau and the unit of the start; at rest it starts at +1, so that x0 < 0 is told by a sign
-        # here.
+        # ``sample`` knows tau and the unit of the start.
         A, phi, x = self.sample(times * omega)
-        turned = -1.0 if oscillator.x0 < 0 and oscillator.v0.is_zero else 1.0
-        return times, A * length, phi, x * length * turned
+        return times, A * length, phi, x * length
+
+    @property
+    def mirrored(self) -> bool:
+        """Whether it starts at rest from x0 < 0: the mirror image of the start at +1, half a turn later, phi(0) = pi."""
+        given = self.oscillator
+        return given is not None and given.v0.is_zero and bool(given.x0 < 0)
 
     def _given(self) -> Oscillator:
         if self.oscillator is None:

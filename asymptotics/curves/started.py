@@ -50,6 +50,17 @@ def start_in_motion(given: Oscillator, scales: MultipleScales, *, digits: int = 
     return size, turn - (pi if side < 0 else 0)
 
 
+def start_angle(given: Oscillator) -> Expr:
+    """The angle of x - i v/omega_0 at the start, in (-pi, pi], exact.
+
+    >>> start_angle(Oscillator({2: 1}, x0=-1)), start_angle(Oscillator({2: 1}, x0=1, v0=-1))
+    (pi, pi/4)
+    """
+    m, k, x0, v0 = (to_sympy(n) for n in (given.mass, given.stiffness, given.x0, given.v0))
+    angle = acos(x0 / sympy.sqrt(x0**2 + m * v0**2 / k))
+    return -angle if given.v0 > 0 else angle
+
+
 def _in_balls(given: Oscillator, scales: MultipleScales, side: int, digits: int) -> tuple[Expr, Expr]:
     """A(0) and psi(0) - theta by the orbit through the start."""
     # 64 bits beyond the digits that are shown, for what the orbit through the start loses; its balls say how much it

@@ -50,6 +50,8 @@ from asymptotics.terms import Term
 
 # As ``solution`` and ``motion`` serve; more only takes longer.
 MAX_DIGITS = 300
+MAX_BALLS = 10_000
+"""Phases at once: a ball at a time, not an array of doubles."""
 # 160 bits for the flow behind a table of doubles: 53 are needed, the rest is for what high orders lose.  Ten seconds
 # for the exact polynomials, of which balls are the substitute: either choice is one of time, not of what is claimed.
 _BITS, _SECONDS = 160, 10.0
@@ -80,6 +82,8 @@ class Waveforms(Shown):
         D = exact_integer(digits, "digits", 1, MAX_DIGITS)
         if isinstance(psi, str) or not isinstance(psi, Sequence | np.ndarray):
             raise InputError("psi", f"{type(psi).__name__} is no sequence of phases", "a list of exact numbers")
+        if len(psi) > MAX_BALLS:
+            raise InputError("psi", f"{len(psi)} phases", f"at most {MAX_BALLS} at once")
         phases = [exact_number(p, "psi") for p in psi]
         with ctx.workprec(bits_for(D)):
             found = [self.enclosed(p.ball()) for p in phases]

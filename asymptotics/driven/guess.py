@@ -34,8 +34,7 @@ def turning_point(balls: Balls, phase: float) -> State:
     for _ in range(steps):
         later = _step(slope, theta, x, v, h)
         if v != 0 and (later[1] > 0) != (v > 0):
-            share = h * v / (v - later[1])
-            turns.append((theta + share, x + share * v / 2))
+            turns.append(_at_rest(slope, theta, x, v, h * v / (v - later[1])))
         theta, (x, v) = theta + h, later
     if len(turns) != 1:
         raise _many(len(turns))
@@ -80,6 +79,15 @@ def _step(slope: Slope, theta: float, x: float, v: float, h: float) -> State:
     c = slope(theta + h / 2, x + h / 2 * b[0], v + h / 2 * b[1])
     d = slope(theta + h, x + h * c[0], v + h * c[1])
     return x + h / 6 * (a[0] + 2 * b[0] + 2 * c[0] + d[0]), v + h / 6 * (a[1] + 2 * b[1] + 2 * c[1] + d[1])
+
+
+def _at_rest(slope: Slope, theta: float, x: float, v: float, share: float) -> State:
+    """(theta, x) after a part of a step, about ``share``, that ends at rest: Newton's method for the speed."""
+    for _ in range(2):
+        near = _step(slope, theta, x, v, share)
+        rate = slope(theta + share, *near)[1]
+        share -= near[1] / rate if rate else 0.0
+    return theta + share, _step(slope, theta, x, v, share)[0]
 
 
 def _half(slope: Slope, steps: int, x: float, v: float) -> State:

@@ -1,7 +1,6 @@
 """The driven response as correctly rounded decimals: first order in closed form, and the orbit itself, certified.
 
->>> from asymptotics.frames import BARE, Frame
-from asymptotics.law import Oscillator
+>>> from asymptotics.law import Oscillator
 >>> found = respond(Drive.read(Oscillator({2: "1/10"}), "1/5", 1), 8)
 >>> found.amplitude, found.x0, found.v0, found.phase, found.first_order.amplitude
 ('1.5355181', '-0.0043810046', '1.5341700', '1.5767567', '1.5349901')

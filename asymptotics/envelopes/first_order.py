@@ -22,7 +22,7 @@ from functools import partial
 from typing import cast
 
 import numpy as np
-from flint import arb
+from flint import acb, arb
 
 from asymptotics.envelopes import certified
 from asymptotics.envelopes.numeric import Array, NumericEnvelope
@@ -70,6 +70,16 @@ def exact_squaring(term: Term) -> ExactReal | None:
         return e * ExactReal(Fraction(1, 2**halves), Fraction(1, 1 + odd))
     except InputError:  # two roots: no decimal, and so no tie
         return None
+
+
+def start_phase(oscillator: Oscillator) -> arb:
+    """phi(0) in x - i v/omega_0 = A e^(i phi), in (-pi, pi]: from rest 0, or pi where x0 < 0; rad.
+
+    >>> [start_phase(Oscillator({2: "1/10"}, x0=x0, v0=v0)).str(6, radius=False) for x0, v0 in ((1, 0), (-1, 0), (0, 1))]
+    ['0', '3.14159', '-1.57080']
+    """
+    speed = oscillator.v0.ball() / oscillator.omega_0()
+    return acb(oscillator.x0.ball(), -speed).arg()
 
 
 @dataclass(frozen=True)
@@ -137,14 +147,19 @@ class FirstOrderEnvelope:
         return certified_decimal(seconds, digits)
 
     def phase(self, t: Number, digits: int) -> str:
-        """phi(t) in rad, turning-point gauge, uniform first order; "0" for "squaring"; InputError once extinct."""
+        """phi(t) in rad, from ``start_phase`` on; turning-point gauge, uniform first order; "0" for "squaring".
+
+        InputError once extinct.
+        """
         seconds = exact_number(t, "time")
         if self.averaging == SQUARING:
             return "0"
-        return certified_decimal(lambda: self.phase_ball(seconds.ball() * self.oscillator.omega_0()), digits)
+        return certified_decimal(
+            lambda: start_phase(self.oscillator) + self.lag_ball(seconds.ball() * self.oscillator.omega_0()), digits
+        )
 
-    def phase_ball(self, tau: arb) -> arb:
-        """phi(tau) as a ball."""
+    def lag_ball(self, tau: arb) -> arb:
+        """phi(tau) - phi(0) as a ball."""
         A = certified.amplitude(self.laws(), tau)
         if A == 0:
             raise InputError("time", "the averaged amplitude is 0 and has no phase", "a time before the extinction")

@@ -31,6 +31,7 @@ from asymptotics.numbers.value import coefficient_columns
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
 from asymptotics.series import Series
+from asymptotics.terms import signed_sum
 
 _POINTS = 401
 
@@ -59,7 +60,7 @@ class LimitCycle(Rows, Drawn):
     def to_dict(self) -> dict[str, Any]:
         """The result as a JSON-ready mapping: numbers are strings."""
         names = ("amplitude", "frequency", "multiplier", "log_multiplier")
-        head = {"law": str(self.law), "order": self.order, "arithmetic": self.arithmetic}
+        head = {"law": str(self.law), "equation": self.equation, "order": self.order, "arithmetic": self.arithmetic}
         rows = {name: row_to_dict(getattr(self, name)) for name in names}
         return {**head, **rows, "at": None if self.at_mu is None else self.at_mu.to_dict()}
 
@@ -73,7 +74,14 @@ class LimitCycle(Rows, Drawn):
         rows = tuple((name, key, c, c.exact or "") for name, key, c in self._named() if not c.is_zero)
         lines = (*proved, worth) if rows else proved
         head = ("series", "power of mu", "value", "exact") if rows else ()
-        return Page(f"limit cycle of x'' + x + mu ({self.law}) = 0", lines, head, rows)
+        return Page(f"limit cycle of {self.equation}", lines, head, rows)
+
+    @property
+    def equation(self) -> str:
+        """The equation of motion as text: mu multiplies the losses, springs stand beside x."""
+        springs = [str(t) for t in self.law.springs]
+        beside = "".join(f" - {t[1:]}" if t.startswith("-") else f" + {t}" for t in springs)
+        return f"x'' + x{beside} + mu ({signed_sum(self.law.losses)}) = 0"
 
     def _curve(self, axes: Any, **style: Any) -> None:
         """Amplitude (over that at mu = 0) and frequency against mu, the certified cycle as points."""

@@ -38,6 +38,10 @@ class Drawn(Shown):
         """Of what the picture is: law, start, order."""
         return self._page().title
 
+    def _headed(self, style: Mapping[str, Any]) -> str:
+        """The same of a picture with these options."""
+        return self._heading()
+
     def _curve(self, axes: Any, **options: Any) -> Any:
         """Draw; what is no option of its own is the style of the main line.  True if it has made its own headings."""
         raise NotImplementedError
@@ -83,7 +87,7 @@ def plotted(results: Sequence[Any], ax: Any, style: dict[str, Any]) -> Any:
 def pictured(results: Sequence[Any], kind: str, *, size: Any = None, dpi: Any = DPI, **style: Any) -> bytes:
     """The file of one result, or of several on the same axes; the headings are its title."""
     size = results[0]._size(style) if size is None else size
-    title = "; ".join(result._heading() for result in results)
+    title = "; ".join(result._headed(style) for result in results)
     return render(lambda axes: draw_on(axes, results, style), size=size, kind=kind, dpi=dpi, title=title)
 
 
@@ -108,12 +112,12 @@ def draw_on(axes: Any, results: Sequence[Any], style: dict[str, Any]) -> None:
     for result in results:
         own = dict(style)
         if len(results) > 1:
-            own.setdefault("label", result._heading())
+            own.setdefault("label", result._headed(style))
         # A copy of the style for each, since a curve takes its own options out of it.
         if _drawn(partial(result._curve, axes, **own)):
             return  # panels, which have headings of their own
     told = axes.get_title().split("\n") if axes.get_title() else []
-    new = [] if len(results) > 1 else _lines(results[0]._heading())
+    new = [] if len(results) > 1 else _lines(results[0]._headed(style))
     head(axes, [*told, *(line for line in new if line not in told)])
 
 

@@ -8,7 +8,7 @@ In the notation of ``quarters``; at one speed, or at one angle theta for all str
 ...     laws = [(Damping.of([(arb(1) / n, ExactReal(Fraction(2)))]), 1) for n in (10, 20)]
 >>> with ctx.workprec(60):
 ...     [[h.str(5) for h in bundle.h] for bundle in (Bundle.of(laws), Bundle.together(laws))]
-[['[1.3843 +/- ...]', '[1.3843 +/- ...]'], ['[1.5093 +/- ...]', '[1.5093 +/- ...]']]
+[['[1.3843 +/- ...]', '[1.3843 +/- ...]'], ['[2.2043 +/- ...]', '[2.2043 +/- ...]']]
 """
 
 from collections.abc import Iterable, Sequence

@@ -127,12 +127,25 @@ def flat(data: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
     return row
 
 
+def beside(point: Mapping[str, str], result: Mapping[str, str]) -> dict[str, str]:
+    """A result beside its parameters: what is named as a flag, which has no value, is ``result.`` and that name.
+
+    >>> beside({"alpha": "2", "bound": ""}, {"alpha": "2", "bound": "0.0003", "x": "1"})
+    {'alpha': '2', 'result.bound': '0.0003', 'x': '1'}
+    """
+    return {f"result.{name}" if point.get(name) == "" else name: value for name, value in result.items()}
+
+
 def rows_of(command: str, points: Sequence[Point], store: Store) -> Iterator[dict[str, str]]:
     """The rows of the file, as text."""
     for point, record in records(command, points, store):
         found = record or {"failed": "not in the store"}
-        result = flat(found.get("result", {}))
-        yield {**result, **point, "failed": found.get("failed", ""), "code": mark()}
+        yield {
+            **beside(point, flat(found.get("result", {}))),
+            **point,
+            "failed": found.get("failed", ""),
+            "code": mark(),
+        }
 
 
 def columns_of(points: Sequence[Point], rows: Iterable[Mapping[str, str]]) -> list[str]:

@@ -169,6 +169,7 @@ def sweep(
     folder = _folder(folder)
     progress = (lambda done, total: None) if progress is None else progress
     _require_readable(task, command, points, progress)
+    _require_workers(executor, crew, version)
     own = caller_mark(task, version)
     command = f"{command} [{own}]" if own else command
     workers = None if workers is None else exact_integer(workers, "workers", 1, MAX_WORKERS)
@@ -223,6 +224,16 @@ def _require_readable(task: Any, command: Any, points: Any, progress: Any) -> No
     # Not all of a grid, which may have millions: what is wrong is so from the start, as a rule.
     if not all(isinstance(point, Mapping) for point in islice(points, _LOOKED_AT)):
         raise InputError("points", "one of them is no mapping", "mappings from a name to a value")
+
+
+def _require_workers(executor: Any, crew: Any, version: Any) -> None:
+    """InputError, before anything is computed, for what computes nothing, and for a version that is no text."""
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        raise InputError("executor", f"{shown(executor)} takes no calls", "an executor of concurrent.futures")
+    if crew is not None and not callable(crew):
+        raise InputError("crew", f"{shown(crew)} is no function", "a function that opens a crew")
+    if version is not None and not (isinstance(version, str) and version.isprintable()):
+        raise InputError("version", f"{shown(version)} is no version", "a text that can be printed")
 
 
 def _folder(given: Any) -> Path:

@@ -132,6 +132,26 @@ def test_an_option_changes_the_answer_or_is_refused(name, asked, option, capsys,
     assert code == 0, before
     other = [answer(changed(words, asked, option, word), capsys) for word in option.words or (None,)]
     assert any(code or numbers(found) != numbers(before) for code, found in other)
+    if all(code for code, _ in other) and name in ELSEWHERE and option.name not in LAW:
+        assert any(is_served(words, asked, option, capsys) for words in elsewhere(name, tmp_path))
+
+
+LAW = ("law", "alpha", "epsilon", "damping", "spring")
+ELSEWHERE = [name for name in FORCED if "dry friction" in worlds_of(name) and name != "compare"]
+"""What is refused beside their example is served beside another law, or when it is asked in another way."""
+
+
+def elsewhere(name, folder):
+    words = in_world(name, folder, "dry friction")
+    late = ["--time", "100"] if "--time" in words else []  # it has stopped: what holds it there counts
+    return [words, without_order(words), *([[*without_order(words), *late, *MODES[name]]] if name in MODES else [])]
+
+
+def is_served(words, asked, option, capsys):
+    """Whether one of its values is answered, and by other numbers."""
+    code, before = answer(words, capsys)
+    found = [answer(changed(words, asked, option, word), capsys) for word in option.words or (None,)]
+    return code == 0 and any(code == 0 and numbers(after) != numbers(before) for code, after in found)
 
 
 SERVED = {  # at finite strength, certified, beside every force

@@ -13,7 +13,7 @@ import asymptotics as asy
 from asymptotics.ask import questions, registry, typed
 from asymptotics.shell import main as shell
 from tests import every_question, ledger
-from tests.ask import test_hostile, test_questions
+from tests.ask import test_hostile, test_hostile_objects, test_questions
 from tests.every_question import call_of, options_of, usual
 from tests.present import test_parity_page
 from tests.present.every_type import name_of, samples_of
@@ -21,9 +21,6 @@ from tests.shell import test_cli, test_files, test_groups
 from tests.shell.test_common import test_each_common_option_is_there_or_says_why_not as common_option
 from tests.test_made_by import KINDS
 from tests.test_made_by import test_every_output_says_which_code_made_it as output_says
-from tests.test_public_calls import HOSTILE
-from tests.test_public_calls import KINDS as OBJECTS
-from tests.test_public_calls import walk as walk_in_python
 from tests.test_same_again import AGAIN, same
 
 TOY = Path(__file__).with_name("toy.py")
@@ -64,7 +61,7 @@ def test_a_new_command_is_walked_from_its_one_file(monkeypatch, tmp_path, capsys
     for flag in (o for o, action in options_of("toy").items() if action.nargs != 0):
         test_hostile.walk("toy", flag, test_hostile.SOME, tmp_path, capsys)
     test_hostile.test_a_hostile_object_is_refused_by_the_name_of_its_parameter("toy")
-    assert walk_in_python("toy", asy.toy, usual(asy.toy), {kind: HOSTILE[kind] for kind in OBJECTS}) == []
+    assert test_hostile_objects.faults("toy", asy.toy, usual(asy.toy), test_hostile_objects.KINDS) == []
     test_files.test_a_file_that_is_not_there_is_named_by_its_option("toy", "--csv", tmp_path, monkeypatch, capsys)
     for kind, end in KINDS.items():
         if f"--{kind}" in options_of("toy"):

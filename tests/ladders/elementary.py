@@ -22,6 +22,7 @@ from tests.ladders.machine import Ladder
 
 MASS = Oscillator({"3/2": "1/10", 0: "1/7"}, mass="3/2", stiffness="29/10", x0="-1/3", v0="1/5")
 ENVELOPE = FirstOrderEnvelope(Oscillator({"3/2": "1/10", 1: "1/30"}, mass="3/2", stiffness="29/10", x0="1/3"))
+SQUARED = FirstOrderEnvelope(ENVELOPE.oscillator, "squaring")
 
 
 def laws(*pairs):
@@ -103,10 +104,13 @@ LAWS = [
     Ladder(("asymptotics.law.Oscillator.deltas", "asymptotics.terms.Term.delta"), MASS.deltas, stretch=2),
     Ladder(("asymptotics.law.Oscillator.to_si",), lambda x: MASS.to_si(x, x), stretch=2),
     Ladder(("asymptotics.motions.admission.local_strength",), lambda _: [local_strength(MASS)]),
-    Ladder(("asymptotics.envelopes.first_order.FirstOrderEnvelope.laws",), lambda _: [k for _, k in ENVELOPE.laws()]),
+    Ladder(
+        tuple(f"asymptotics.envelopes.first_order.FirstOrderEnvelope.{name}" for name in ("laws", "rates")),
+        lambda _: [*(k for _, k in ENVELOPE.laws()), *ENVELOPE.rates(), *SQUARED.rates()],
+    ),
     Ladder(
         tuple(f"asymptotics.envelopes.first_order.FirstOrderEnvelope.{name}_ball" for name in ("amplitude", "phase")),
-        lambda x: [ENVELOPE.amplitude_ball(x), ENVELOPE.phase_ball(x)],
+        lambda x: [ENVELOPE.amplitude_ball(x), ENVELOPE.lag_ball(x)],
         "5",
         16,
         2,

@@ -91,3 +91,21 @@ def test_five_thousand_digits_are_handed_out_in_every_form():
             "1e-4990"
         )
     assert coefficient_columns([third])["value"] == [1 / 3]
+
+
+def test_arithmetic_of_coefficients_encloses():
+    quarter, third = Coefficient("0.25000", None), Coefficient("0.33333", None)
+    q, t = Fraction(1, 4), Fraction(1, 3)
+    for found, true in (
+        (quarter + third, q + t), (quarter - third, q - t), (quarter * third, q * t), (quarter / third, q / t),
+        (1 - third, 1 - t), (2 / third, 2 / t), (-third, -t), (third * "3/2", t * Fraction(3, 2)),
+        (third + 0.1, t + q * 2 / 5),
+    ):  # fmt: skip
+        low, high = (mpmath.mpf(end) for end in found._mpi_)
+        with mpmath.workdps(40):
+            value = mpmath.mpf(true.numerator) / true.denominator
+            assert low < value < high and high - low < 1e-3
+            assert not low < value + mpmath.mpf("1e-2") < high  # near miss
+    for bad in (lambda: third / 0, lambda: third * 1j, lambda: third + None, lambda: 1 / Coefficient("0", None)):
+        with pytest.raises(InputError):
+            bad()

@@ -1,9 +1,12 @@
 """The bookkeeping of statements: one id, one verdict, and nothing undecided ever counted as true."""
 
+import sys
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
+from asymptotics.errors import LimitError
+from paper_checks import registry
 from paper_checks.registry import Statement, add, expected_outcomes, load
 from paper_checks.runner import examine, examine_all
 from paper_checks.verdict import Evidence, Kind, Outcome, Printed
@@ -74,3 +77,24 @@ def test_a_pool_returns_the_same_results_in_the_same_order():
         pooled = examine_all(entries, executor, finished.append)
     assert finished == [e.id for e in entries]
     assert [r.outcomes for r in pooled] == [r.outcomes for r in examine_all(entries)]
+
+
+def test_statements_whose_import_was_stopped_are_loaded_again(monkeypatch):
+    """Failed before: two entries with the id smith2012:1b, for as long as the process lived."""
+    load("smith2012")
+    stopped, whole = [], registry.add
+    for name in [name for name in sys.modules if name.startswith("paper_checks.smith2012")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setattr(registry, "_REGISTRY", {})
+
+    def stop_once(entry):
+        whole(entry)
+        if entry.id == "smith2012:1b" and not stopped:
+            stopped.append(entry.id)
+            raise LimitError("max_seconds", "1 s are over", "more")
+
+    monkeypatch.setattr(registry, "add", stop_once)
+    with pytest.raises(LimitError):
+        load("smith2012")
+    assert stopped and "smith2012:1b" not in registry._REGISTRY
+    assert "smith2012:1b" in load("smith2012")

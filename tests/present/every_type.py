@@ -113,6 +113,28 @@ SAMPLES = {
     "certificates.certificate.Certificate": "points.certificate()",
     "curves.turning_points.MotionTurningPoints": "asy.turning_points({2: 1}, 3, digits=12, times=True)",
 }
+VARIANTS = (  # of the same types: what another law, start or way of asking makes of them
+    "asy.expand('symbolic')", "asy.expand(['1', '2'], order=2)", "asy.expand(osc, order=2)", "asy.expand(3, order=3)",
+    "asy.expand('3/2').observables(1, epsilon='1/10')", "asy.moment(2)", "asy.Coefficient('0.5', None)",
+    "asy.multiple_scales('5/2', order=3)", "asy.multiple_scales(2, order=3, gauge='turning-point')",
+    "asy.multiple_scales('symbolic', order=2)", "asy.envelope({'1/2': '1/10'}).series(3)", "asy.envelope({2: '1/10'})",
+    "asy.envelope(osc).sample([0.0, 1.0])", "asy.motion({2: '1/10'}).uniform_bound()",
+    "asy.motion(osc).sample([0.0, np.nan])", "asy.reference(osc).sample([0.0, np.nan])", "asy.reference(osc).events(2)",
+    "asy.reference({0: '1/50'}, static='1/30')", "asy.reference(osc).at(1, digits=8)", "osc.dimensionless",
+    "asy.Oscillator({2: '1/20'}, spring='pendulum', x0=3)", "asy.half_swing(2, delta='1/10')",
+    "asy.limit_cycle({1: -1, (1, 2): 1}, mu='1/10', order=4)", "asy.solution({'3/2': '1/10'}, order=4)",
+    "asy.solution('symbolic')", "asy.solution({1: '1/10'})", "asy.solution({0: '1/50', 2: '1/10'})",
+    "asy.solution(asy.Oscillator({2: '1/10'}, x0='3/5', v0='-4/5'))", "asy.turning_points(osc, 3)",
+    "asy.turning_points({2: 1}, 3).certificate()", "asy.waveforms(2, order=2)", "asy.Law({2: 1}).terms[0]",
+)  # fmt: skip
+
+
+@cache
+def made(time: int = 1) -> dict[str, Any]:
+    """One of each type and variant, by its text, made once in a process for each ``time``."""
+    names: dict[str, Any] = {}
+    exec(SETUP, names)
+    return {text: eval(text, names) for text in (*SAMPLES.values(), *VARIANTS)}
 
 
 def name_of(found: type) -> str:

@@ -3,8 +3,8 @@
 import inspect
 import re
 import sys
+import time
 from html.parser import HTMLParser
-from pathlib import Path
 
 import pytest
 
@@ -13,10 +13,8 @@ from asymptotics.errors import InputError
 from asymptotics.present.letters import MEANINGS, letters
 from asymptotics.present.shown import MAX_LINES, Page, Rows, Shown, frame
 from asymptotics.present.signs import signs
-
-sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
-
-from every_type import SAMPLES, SETUP, name_of, types
+from tests.present import every_type
+from tests.present.every_type import SAMPLES, name_of, types
 
 CLAIM = re.compile(r"certified|estimate|measured|exact|proved|correctly rounded|heuristic|formal|intervals: ")
 SAYINGS = {  # what was asked, a verdict in words, or a report of what was done: no number that could be uncertain
@@ -29,9 +27,7 @@ SAYINGS = {  # what was asked, a verdict in words, or a report of what was done:
 
 @pytest.fixture(scope="module")
 def made():
-    names: dict = {}
-    exec(SETUP, names)  # noqa: S102 (the cells of a notebook, our own)
-    return {name: eval(text, names) for name, text in SAMPLES.items()}  # noqa: S307 (as above)
+    return {name: every_type.made()[text] for name, text in SAMPLES.items()}
 
 
 @pytest.fixture(scope="module")
@@ -56,6 +52,18 @@ class Elements(HTMLParser):
 
     def handle_endtag(self, tag):
         assert self.open.pop() == tag
+
+
+@pytest.mark.parametrize("text", (*SAMPLES.values(), *every_type.VARIANTS))
+def test_the_repr_of_every_result_is_instant_and_short(text):
+    found = every_type.made()[text]
+    begin = time.process_time()
+    shown = repr(found)
+    assert time.process_time() - begin < 0.02
+    if type(found).__module__.startswith("asymptotics.curves") or isinstance(found, asy.Equations):
+        assert len(shown) < 300
+    for show in ("_repr_latex_", "to_dict", "__str__"):
+        assert getattr(found, show, lambda: "")() is not None
 
 
 def test_every_type_has_a_sample_and_shows_itself():

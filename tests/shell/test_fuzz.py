@@ -15,31 +15,21 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.shell.main import main
+from tests.every_question import example, options_of, without_law
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = 300 if os.environ.get("HYPOTHESIS_PROFILE") == "nightly" else 12  # at length in `make test-thorough`
 GOOD = st.sampled_from(["0", "1", "2", "3/2", "0.1", "1/10", "5/2", "sqrt(2)", "1e-3", "7"])
-ODD = st.sampled_from(
-    ["", "-1", "-0", "0/0", "1/0", "1e400", "1e-400", "1e-300", "1e300", "nan", "inf", "-inf", "1_000", "0x10", "1,5",
-     "2:", ":2", "2:3:4", "--", "-", "\x1b[31m", "é", "1 ", "sqrt(-1)", "sqrt(sqrt(2))", "9" * 1200, "symbolic",
-     "__import__('os').abort()", "lambda: 0", "True", "None", "3.0", "+2", "²", "١"]
+ODD_WORDS = (
+    "", "-1", "-0", "0/0", "1/0", "1e400", "1e-400", "1e-300", "1e300", "nan", "inf", "-inf", "1_000", "0x10", "1,5",
+    "2:", ":2", "2:3:4", "--", "-", "\x1b[31m", "é", "1 ", "sqrt(-1)", "sqrt(sqrt(2))", "9" * 1200, "symbolic",
+    "__import__('os').abort()", "lambda: 0", "True", "None", "3.0", "+2", "+1", "²", "١",
 )  # fmt: skip
-NUMBER = st.one_of(GOOD, GOOD, ODD)
+ODD = st.sampled_from(ODD_WORDS)
+NUMBER = st.one_of(GOOD, ODD)
 SMALL = st.one_of(st.sampled_from(["1", "2", "3"]), st.sampled_from(["0", "-1", "1.5", "x", "", "10" * 30]))
-
-
-def _line(command: str, *options: st.SearchStrategy[list[str]]) -> st.SearchStrategy[list[str]]:
-    return st.tuples(*options).map(lambda parts: [command, *(word for part in parts for word in part)])
-
-
-def _option(name: str, values: st.SearchStrategy[str], *, needed: bool = True) -> st.SearchStrategy[list[str]]:
-    given_ = values.map(lambda value: [name, value])
-    return st.one_of(given_, given_, given_, st.just([])) if needed else st.one_of(given_, st.just([]), st.just([]))
-
-
-def _flag(*names: str) -> st.SearchStrategy[list[str]]:
-    return st.sampled_from([[], [], [], *([name] for name in names), ["--no-such-option"]])
 
 
 LAW = st.one_of(
@@ -48,60 +38,79 @@ LAW = st.one_of(
         lambda pairs: [word for a, e in pairs for word in ("--law", f"{a}:{e}")]
     ),
 )
-DAMPED = LAW.map(lambda words: ["--damping" if word == "--epsilon" else word for word in words])
-DIGITS = _option("--digits", SMALL)
-JSON = _flag("--json")
-SPRING = st.one_of(st.just("pendulum"), st.tuples(NUMBER, NUMBER).map(":".join))
-WORDS = st.lists(st.one_of(ODD, st.sampled_from(["smith2012", "smith2012:43", "Lambert", "nosuch"])), max_size=2)
-LINES = {
-    "moment": _line("moment", _option("--p", NUMBER), DIGITS, JSON),
-    "expand": _line("expand", LAW, _option("--order", SMALL), DIGITS, _flag("--exact", "--latex"), JSON),
-    "half-swing": _line("half-swing", LAW, _option("--order", SMALL), DIGITS, JSON),
-    "turning-points": _line("turning-points", LAW, _option("--count", SMALL), _option("--start", SMALL, needed=False),
-                            DIGITS, _flag("--times"), st.just(["--max-seconds", "2"]), JSON),
-    "motion": _line("motion", DAMPED, _option("--x0", NUMBER), _option("--v0", NUMBER, needed=False),
-                    _option("--mass", NUMBER, needed=False), _option("--stiffness", NUMBER, needed=False),
-                    _option("--time", NUMBER), st.sampled_from([["--order", "1"], ["--order", "0"]]), DIGITS, JSON),
-    "envelope": _line("envelope", LAW, _option("--time", NUMBER), DIGITS, _flag("--latex", "--squaring"), JSON),
-    "multiple-scales": _line("multiple-scales", st.tuples(NUMBER).map(lambda a: ["--alpha", *a]),
-                             st.just(["--order", "1"]), _flag("--latex"), JSON),
-    "smith": _line("smith", st.sampled_from([["f"], ["c"], ["g"], ["h"], ["r"], []]),
-                   _option("--n", SMALL, needed=False), _option("--i", SMALL, needed=False),
-                   _option("--w", NUMBER, needed=False), JSON),
-    "limit-cycle": _line("limit-cycle", LAW, _option("--order", SMALL), _option("--mu", NUMBER, needed=False),
-                         DIGITS, st.just(["--max-seconds", "1"]), JSON),
-    "springs": _line("expand", LAW, _option("--spring", SPRING), _option("--order", SMALL), DIGITS, JSON),
-    "reference": _line("motion", DAMPED, _option("--x0", NUMBER), _option("--time", NUMBER),
-                       _option("--spring", SPRING, needed=False), st.just(["--reference", "--max-seconds", "1"]),
-                       DIGITS, JSON),
-    "papers": _line("papers", WORDS, _flag("--latex"), JSON),
-    "derive": _line("derive", st.one_of(WORDS, st.just(["q-log-q"])), _flag("--latex"), JSON),
-    "table": _line("table", st.sampled_from([["smith2012.table1"], ["nope"], [], ["--list"]]), DIGITS, JSON),
-}  # fmt: skip
+SHAPE = st.one_of(st.just("pendulum"), st.tuples(NUMBER, NUMBER).map(":".join), ODD)
+WORDS = st.one_of(ODD, st.sampled_from(["smith2012", "smith2012:43", "Lambert", "nosuch", "q-log-q"]))
+DEAR = {"max-seconds", "workers", "check"}  # what a request may cost
 
 
-@pytest.mark.parametrize("command", LINES)
-def test_any_arguments_give_an_answer_or_one_line(command, capsys):
+def value_of(option: str, told: dict) -> st.SearchStrategy[str]:
+    """What may be typed behind an option, by its kind."""
+    if option in ("law", "spring"):
+        return SHAPE
+    if "enum" in told:
+        return st.one_of(st.sampled_from(told["enum"]), ODD)
+    return SMALL if told["type"] == "integer" else NUMBER
+
+
+@st.composite
+def line(draw: st.DrawFn, name: str, words: list[str]) -> list[str]:
+    """The example of a command, often with another law, and up to three options more."""
+    options = loaded(name).schema()["properties"]
+    if {"law", "epsilon"} <= options.keys() and draw(st.booleans()):
+        words = [*without_law(words), *draw(LAW)]
+    if not any(word.startswith("--") for word in words) and draw(st.booleans()):
+        words = [name, *draw(st.lists(WORDS, max_size=2))]
+    for option in draw(st.lists(st.sampled_from(sorted(options.keys() - DEAR)), max_size=3)):
+        told = options[option].get("items", options[option])
+        words = [*words, f"--{option}", *([] if told.get("type") == "boolean" else [draw(value_of(option, told))])]
+    more = draw(st.sampled_from([[], [], ["--json"], ["--json"], ["--latex"], ["--no-such-option"]]))
+    return [*words, *(["--max-seconds", "1"] if "max-seconds" in options else []), *more]
+
+
+@pytest.mark.parametrize("command", QUESTIONS)
+def test_any_arguments_give_an_answer_or_one_line(command, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    words = example(command, tmp_path)
+
     @settings(
         max_examples=EXAMPLES, deadline=None, database=None, derandomize=EXAMPLES < 100,
         suppress_health_check=list(HealthCheck),
     )  # fmt: skip
-    @given(LINES[command])
+    @given(line(command, words))
     def check(arguments: list[str]) -> None:
-        code = main(arguments)
-        out, err = capsys.readouterr()
-        if code == 0:
-            assert out
-            if "--json" in takewhile("--".__ne__, arguments):  # behind -- it is a word that is looked for
-                json.loads(out, parse_float=_no_floats)
-            assert arguments[0] == "papers" or not re.search(r"\b(nan|inf)\b", out.lower())  # it repeats the query
-        else:
-            assert code in (1, 2), arguments
-            assert out == ""
-            assert err.count("\n") == 1, (arguments, err)
-            assert err[:-1].isprintable() and len(err) < 1000, arguments
+        answered_or_refused(arguments, capsys)
 
     check()
+
+
+def answered_or_refused(arguments: list[str], capsys) -> None:
+    code = main(arguments)
+    out, err = capsys.readouterr()
+    if code == 0:
+        assert out
+        if "--json" in takewhile("--".__ne__, arguments):  # behind -- it is a word that is looked for
+            json.loads(out, parse_float=_no_floats)
+        assert arguments[0] == "papers" or not re.search(r"\b(nan|inf)\b", out.lower())  # it repeats the query
+    else:
+        assert code in (1, 2), arguments
+        assert out == "" or ("--max-seconds" in err and "cut short: " in out), arguments
+        assert err.count("\n") == 1, (arguments, err)
+        assert err[:-1].isprintable() and len(err) < 1000, arguments
+
+
+PLACES = ("--alpha {} --epsilon 1/10", "--alpha 2 --epsilon {}", "--law {}:1/10", "--law 2:{}", "--law 1,{}:1/10",
+          "--law 2:1/10 --spring {}:1/10", "--law 2:1/10 --spring 3:{}")  # fmt: skip
+OF_LAWS = [name for name in QUESTIONS if {"--law", "--epsilon"} <= options_of(name).keys()]
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_each_odd_word_in_each_place_of_a_law(place, capsys, tmp_path):
+    """Their reader is one; the commands, which take turns, do with it what they do."""
+    able = [name for name in OF_LAWS if "--spring" not in place or "--spring" in options_of(name)]
+    for n, word in enumerate(ODD_WORDS):
+        words = without_law(example(able[(n + PLACES.index(place)) % len(able)], tmp_path))
+        law = [part.replace("{}", word) for part in place.split(" ")]
+        answered_or_refused([*words, *law, "--max-seconds", "2", "--json"], capsys)
 
 
 def _no_floats(text: str) -> float:
@@ -150,7 +159,7 @@ SLOWER = [pytest.param(program, marks=pytest.mark.slow) for program in (PROGRAMS
 @pytest.mark.parametrize("program", [PROGRAMS[1], *SLOWER])
 def test_the_same_bytes_under_hash_seeds_time_zones_and_locales(program):
     outputs = set()
-    for seed, zone, locale in (("0", "UTC", "C"), ("1", "Pacific/Kiritimati", "C.UTF-8"), ("4711", "America/Lima", "")):
+    for seed, zone, locale in (("0", "UTC", "C"), ("4711", "Pacific/Kiritimati", "")):
         environment = {**os.environ, "PYTHONHASHSEED": seed, "TZ": zone, "LC_ALL": locale}
         done = subprocess.run(
             [sys.executable, *program.split()], cwd=ROOT, env=environment, capture_output=True, check=True

@@ -1,28 +1,61 @@
-"""SI units in motion, expand and turning-points, and the files of the last two, as a user types them."""
+"""SI units in every command that has them, and files of expand and turning-points, as a user types them."""
 
 import csv
 import math
 import re
+from fractions import Fraction
 
 import pytest
 
+from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.curves.solve import solution
 from asymptotics.law import Oscillator
 from asymptotics.made_by import mark
+from asymptotics.shell.main import main
+from tests.every_question import example, options_of, without_law
 from tests.shell.answers import answer, run
 
 SI = "--alpha 2 --damping 1/10 --mass 3/2 --stiffness 30"
 EPSILON = "--alpha 2 --epsilon 1/75"  # b omega_0^2 x0/k of SI with x0 = 1/5: (1/10) 20 (1/5)/30
-OMEGA = math.sqrt(20)
+OMEGA, LENGTH = math.sqrt(20), 1 / 5
+SCALES = {"m": LENGTH, "s": 1 / OMEGA, "m/s": LENGTH * OMEGA, "N": 6, "J": 30 * LENGTH**2, "N s/m": 1.5 * OMEGA,
+          "rad/s": OMEGA}  # fmt: skip
+UNITS = {"--mass", "--x0", "--csv", "--digits"}
+MOVING = [name for name in QUESTIONS if options_of(name).keys() >= UNITS and not loaded(name).offers.reads]
 
 
-def test_turning_points_in_metres_and_seconds_are_the_dimensionless_ones_scaled(capsys):
-    si = answer(capsys, f"turning-points {SI} --x0 -1/5 --count 4 --times --digits 15")
-    bare = answer(capsys, f"turning-points {EPSILON} --count 4 --times --digits 15")
-    assert (si["units"], si["x_unit"], bare["units"], bare["x_unit"]) == ("SI", "m", None, "x0")
-    for metres, relative in zip(si["points"], bare["points"], strict=True):
-        assert float(metres["x"]) == pytest.approx(-float(relative["x"]) / 5, rel=1e-13)
-        assert float(metres["t"]) == pytest.approx(float(relative["tau"]) / OMEGA, rel=1e-13)
+def table(words, path):
+    """The columns of a table: (name, unit, texts)."""
+    assert main([*words, "--csv", str(path), "--quiet"]) == 0
+    head, *rows = csv.reader(path.read_text().splitlines())
+    names = [re.fullmatch(r"([^[]*?)(?: \[(.*)\])?", name).groups() for name in head[:-1]]
+    return [(name, unit, [row[i] for row in rows]) for i, (name, unit) in enumerate(names)]
+
+
+def number(text):
+    """A cell as a number, or as it is."""
+    try:
+        return float(Fraction(text))
+    except ValueError:
+        return text
+
+
+@pytest.mark.parametrize(("name", "side"), [*((name, "") for name in MOVING), ("turning-points", "-")])
+def test_a_table_in_si_is_the_one_without_units_scaled(name, side, tmp_path, capsys):
+    words = [*without_law(example(name, tmp_path)), *(["--points=3"] if "--points" in options_of(name) else [])]
+    words += ["--times"] if "--times" in options_of(name) else []
+    words += ["--digits", "15"]
+    scaled = [*words]
+    for option, scale in (("--time", lambda t: f"sqrt({t}/20)"), ("--amplitudes", lambda a: f"{a}/5")):
+        if option in words:  # they are 1, whose square it is
+            words[words.index(option) + 1], scaled[words.index(option) + 1] = "1", scale(1)
+    bare = table([*words, *EPSILON.split()], tmp_path / "bare.csv")
+    si = table([*scaled, *SI.split(), "--x0", f"{side}1/5"], tmp_path / "si.csv")
+    assert len(bare) == len(si) and any(unit for _, unit, _ in si) and not any(unit in SCALES for _, unit, _ in bare)
+    for (_, _, relative), (name, unit, physical) in zip(bare, si, strict=True):
+        scale = SCALES.get(unit, 1) * (-1 if side and name in ("x", "v") else 1)
+        for one, other in zip(map(number, relative), map(number, physical), strict=True):
+            assert other == (pytest.approx(one * scale, rel=1e-9, abs=1e-13) if isinstance(one, float) else one)
 
 
 @pytest.mark.parametrize("place", ["1000", "-1000"])
@@ -44,16 +77,6 @@ def test_the_place_of_a_pendulum_is_told_in_radians_everywhere(capsys, tmp_path)
         assert next(csv.reader(file))[:4] == ["t [s]", "amplitude [rad]", "phase [rad]", "x [rad]"]
     curve = solution(Oscillator({2: "1/10"}, spring="pendulum"), order=1).plot(until=1)
     assert "(rad)" in curve.get_ylabel()
-
-
-def test_a_motion_with_epsilon_has_no_units_and_is_the_one_in_si_scaled(capsys):
-    bare = answer(capsys, f"motion {EPSILON} --time 7 --digits 12")
-    si = answer(capsys, f"motion {SI} --x0 1/5 --time {7 / OMEGA!r} --digits 12")
-    assert (bare["units"], si["units"]) == (None, "SI")
-    for name, scale in (("x", 5), ("v", 5 / OMEGA), ("amplitude", 5), ("phase", 1)):
-        assert float(si[name]) * scale == pytest.approx(float(bare[name]), rel=1e-10), name
-    _, out, _ = run(capsys, f"motion {EPSILON} --time 7")
-    assert not any(line.endswith((" m", " m/s", " rad")) for line in out.splitlines())
 
 
 def test_equations_in_si_say_what_delta_is(capsys):

@@ -111,7 +111,11 @@ def _text(found: Found, request: Request) -> str:
     phase = " + ".join(["1", *([Omega] if Omega else [])])
     lines += [f"dA/d{time} = -{rate}A ({p or 0})", f"dpsi/d{time} = {f'{rate}({phase})' if rate else phase}"]
     lines += [f"{name} = {value} for {force}" for name, force, value in deltas]
-    lines += [f"A in m, t in s, {equations.oscillator}"] if equations.oscillator is not None else []
+    lines += (
+        [f"A in {equations.oscillator.unit}, t in s, {equations.oscillator}"]
+        if equations.oscillator is not None
+        else []
+    )
     lines += [*order_of(given), *(line for name, row in rows for line in row_text(name, row)), *given.notes]
     return "\n".join(lines)
 

@@ -38,11 +38,8 @@ def _table(found: LimitCycle) -> str:
 
 
 def _text(found: LimitCycle) -> str:
-    lines = [f"x'' + x + mu ({found.law}) = 0, {found.arithmetic}; powers of mu"]
     # Beside springs there is no series in mu, whose first term would be the linear frequency 1.
-    if not found.frequency:
-        springs, losses = ("".join(f" + {t}" for t in terms) for terms in (found.law.springs, found.law.losses))
-        lines = [f"x'' + x{springs} + mu ({losses[3:]}) = 0".replace("+ -", "- ")]
+    lines = [f"{found.equation}, {found.arithmetic}; powers of mu" if found.frequency else found.equation]
     lines += [*row_text("A", found.amplitude), *row_text("omega", found.frequency)]
     lines += row_text("log multiplier", found.log_multiplier)
     if found.at_mu is not None:

@@ -68,6 +68,8 @@ def _text(found: SolutionAtTime, request: Request) -> str:
     lines, made = [str(found.solution)], found.solution
     if found.in_units:
         meaning = _MEANINGS[found.units]
+        if found.units == "SI" and made.mirrored:
+            meaning += "; x_0 = |x(0)|"
         if found.units == "SI" and isinstance(made, Solution) and made.start is not None:
             meaning += f"; epsilon = {made.strength_in_SI}"
         A, phi = found.in_units.values()
@@ -153,7 +155,9 @@ def solution_at(
     (default), kappa = M_(alpha+1) epsilon (Lancaster 2020), or SI: t, m, k, b, x_0, the default where --damping, --mass
     or --stiffness is given.  --time is in s there, else tau.  Proved are the line "proved" (valid_until in JSON: |x -
     x_N| for all times, before rounding) and what --bound tells, |x - x_N| at T; the rest is an expansion.
+    x = A cos(psi) + ..., A > 0: phi holds pi where --x0 is negative, and x_0 in the formulas is |x0|.
     --v0: a start in motion; the unit of length is sqrt(x0^2 + m v0^2/k) then, and x_0 in the formulas means it.
+    A sum and a spring have --units epsilon alone.
     --latex prints a document that compiles, --fragment its formulas alone.
 
     In Python ``asy.solution(law, order=N)``, then ``.at(tau)``, or ``.at_time(oscillator, T, digits)`` in its units,
@@ -197,6 +201,13 @@ def solution_at(
     given = law if isinstance(law, Given) else None
     found = solution(cast("Any", law) if given is None else given.oscillator, order=order)
     found = found if given is None else replace(found, frame=given.frame)
+    if isinstance(found, ImplicitSolution):
+        # tau(A) and phi(A) have a letter for each strength, and no form in other units.
+        if units not in (None, "epsilon"):
+            raise InputError(
+                "units", f"the formulas of a sum, or beside a spring, are not served in {units}", "epsilon"
+            )
+        units = "epsilon"
     # The units in which the numbers came are those in which the formulas are expected.
     units = units or ("SI" if given is not None and given.frame else "epsilon")
     made, moment = SolutionAtTime(found, units, _formulas(found, units)), cast("ExactReal | None", time)

@@ -40,7 +40,8 @@ def is_damping(data: Any, kind: str | None, columns: str | None) -> bool:
 def law_of_damping(data: Any, asked: Mapping[str, Any]) -> DampingLaw:
     """The law behind an open table; InputError by name for an option that only a decay has."""
     for name in _OF_DECAYS:
-        if asked.get(name):
+        value = asked.get(name)
+        if value is not None and not (isinstance(value, bool | str | tuple | list) and not value):
             raise InputError(name, "means nothing for a table of damping", "laws, noise, mass, stiffness")
     if asked.get("modes", 1) != 1:
         raise InputError("modes", "a table of damping shows no second mode", "1, or the samples of a motion")

@@ -31,7 +31,7 @@ from asymptotics.frames import BARE, Frame
 from asymptotics.law import Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
-from asymptotics.numbers.policy import double_of, exact_number
+from asymptotics.numbers.policy import double_of, exact_double, exact_number
 from asymptotics.present.percent import percent
 from asymptotics.terms import terms_of
 from asymptotics.terms_given import PENDULUM
@@ -61,6 +61,16 @@ CLOCKS = ("n", "cycles", "t")
 """Half-swings, periods, or the time: what amplitudes alone stand beside."""
 
 
+def _require_doubles(**given: ExactReal | None) -> None:
+    """All that follows is in doubles; a mass and a stiffness stand together."""
+    for name, other in (("mass", "stiffness"), ("stiffness", "mass")):
+        if given[name] is None and given[other] is not None:
+            raise InputError(name, "is missing", "both, or neither")
+    for name, number in given.items():
+        if number is not None:
+            exact_double(number, name)
+
+
 def law_of_table(
     table: Any,
     *,
@@ -74,8 +84,7 @@ def law_of_table(
 
     InputError by name for what cannot be used.
     """
-    if (mass is None) != (stiffness is None):
-        raise InputError("mass" if mass is None else "stiffness", "is missing", "both, or neither")
+    _require_doubles(resolution=resolution, mass=mass, stiffness=stiffness)
     columns, quantity, notes, unit = _read(table)
     known = columns.get("resolution")
     if resolution is not None:

@@ -42,7 +42,7 @@ from asymptotics.decays.identification.telling.law_answer import LawAnswer
 from asymptotics.decays.identification.telling.record_units import RecordUnits
 from asymptotics.decays.identification.telling.result import Identification, sorted_laws
 from asymptotics.decays.identification.telling.runs import common, verdict_of_runs
-from asymptotics.decays.identification.telling.verdicts import UNDECIDED, Verdict, verdict_of
+from asymptotics.decays.identification.telling.verdicts import NONE, UNDECIDED, Verdict, verdict_of
 from asymptotics.decays.identification.textbook import textbook_estimates
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import ANGLES, GRAVITY, UNITS
@@ -192,7 +192,14 @@ def _one_run(
     # The advice fits again; where the limit is reached, the verdict is the same without it.
     plain = verdict_of(laws, seen, growing, advice=False)
     verdict = plain if seen.spacing else work.within(partial(verdict_of, laws, seen, growing), plain)
-    notes += [*_untried(laws), *_lengths(laws), *_memory(laws), *_mode(laws), *_another_frequency(laws, units)]
+    notes += [
+        *_another_kind(verdict, seen),
+        *_untried(laws),
+        *_lengths(laws),
+        *_memory(laws),
+        *_mode(laws),
+        *_another_frequency(laws, units),
+    ]
     if growing:
         notes.append("the amplitude grows: strengths may be negative (self-excitation)")
     # Each held-out error is a fit more: for the laws of the verdict only.
@@ -219,6 +226,14 @@ def _without_frequency(run: Observations, candidates: Sequence[Candidate], units
     verdict = Verdict(UNDECIDED, text, "--omega0 W (2 pi f, in rad/s), or a line 'Frequency [Hz]: f' above the numbers")
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
     return Identification(verdict, answers, (run,), {}, run.notes, units)
+
+
+def _another_kind(verdict: Verdict, seen: Observations) -> list[str]:
+    """That a column without a unit may hold a place after all, where no law fits it as what its name says."""
+    order = 0 if seen.samples is None else seen.samples.derivative
+    if verdict.kind != NONE or not order or seen.unit:
+        return []
+    return [f"no law fits it as {('a velocity', 'an acceleration')[order - 1]}: if it is a place, --kind record"]
 
 
 def _untried(laws: Sequence[Judged]) -> list[str]:

@@ -96,10 +96,20 @@ def _settled(given: Source, names: Sequence[str], several: SeveralError) -> tupl
         return None, ""
     if len({(quantity(names[i]), suffix(names[i]), bool(_ANGLE.search(names[i]))) for i in axes}) == 1:
         place = carrying(axes)
-        return _alone(
-            place, axes
-        ), f"of {listed} it carries the oscillation (nine tenths of the line): --columns overrules"
+        place = place if _are_axes([names[i] for i in axes]) else _alone(place, axes)
+        return place, f"of {listed} it carries the oscillation (nine tenths of the line): --columns overrules"
     return _angle(axes, names), f"of {listed} it carries the oscillation: --columns overrules"
+
+
+def _are_axes(names: Sequence[str]) -> bool:
+    """Whether names differ in one letter, x, y or z: axes of one body, on which another mode is no other oscillator.
+
+    >>> _are_axes(["gx", "gy"]), _are_axes(["Acc x (g)", "Acc z (g)"]), _are_axes(["x1", "x2"]), _are_axes(["x", "xy"])
+    (True, True, False, False)
+    """
+    first, *others = (name.lower() for name in names)
+    differ = [[(a, b) for a, b in zip(first, other) if a != b] for other in others if len(other) == len(first)]
+    return len(differ) == len(others) and all(len(d) == 1 and {*d[0]} <= {*"xyz"} for d in differ)
 
 
 def _alone(place: int | None, axes: dict[int, Array]) -> int | None:

@@ -158,7 +158,7 @@ def choose(names: Sequence[str], columns: str | None, kind: str | None, file: st
     for column in (*wanted, *optional):
         if column in places:
             continue
-        place = _place_of(column, names, list(places.values()), found, file, column in wanted)
+        place = _place_of(column, names, list(places.values()), found, file, column in wanted, told=kind is not None)
         if place is not None:
             places[column] = place
     extra = set(places) - {*wanted, *optional}
@@ -212,7 +212,7 @@ def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
     if len(names) > 1:
         # A phone writes the axes of each of its sensors as x, y, z into a file of its own.
         bare = [n for n, q in zip(names, meant) if q == "position"]
-        sensor = quantity(re.sub(r"\.\w+\Z", "", file)) if len(bare) > 1 and all(map(_AXIS.fullmatch, bare)) else ""
+        sensor = quantity(re.sub(r"\.\w+\Z", "", file)) if len(bare) > 2 and all(map(_AXIS.fullmatch, bare)) else ""
         if "time" in meant and sensor in ("velocity", "acceleration"):
             return sensor
         if len(bare) > 2 and "seconds_elapsed" in names:
@@ -238,8 +238,13 @@ def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
 _MEANT = {"t": "time", "tau": "time", "x": "position", "v": "velocity", "a": "acceleration"}
 
 
-def _place_of(column: str, names: Sequence[str], used: list[int], kind: str, file: str, needed: bool) -> int | None:
-    """The only column that can be meant; None if an optional one is not there; InputError where it must be asked."""
+def _place_of(
+    column: str, names: Sequence[str], used: list[int], kind: str, file: str, needed: bool, *, told: bool
+) -> int | None:
+    """The only column that can be meant; None if an optional one is not there; InputError where it must be asked.
+
+    ``told``: whether the kind was said, which knows better than a name.
+    """
     # A file without names: its columns stand in the order of the contract, if there are no more of them.
     live = [i for i, n in enumerate(names) if n]
     if all(_NO_NAME.fullmatch(names[i]) for i in live):
@@ -253,9 +258,10 @@ def _place_of(column: str, names: Sequence[str], used: list[int], kind: str, fil
     if not found and column in _MEASURED:
         other = {"time", "n", "uncertainty", "force", *_MEASURED.values()} - {_MEASURED[column]}
         found = [i for i in free if said[i] not in other] or [i for i in free if said[i] == "force"]
-    # An axis of a sensor, where the kind is said.
-    if not found and column in ("v", "a"):
-        found = [i for i in free if _AXIS.fullmatch(names[i]) and not suffix(names[i])]
+    # An axis of a sensor, or else any name without a unit.
+    if not found and column in _MEASURED and told:
+        bare = [i for i in free if not suffix(names[i]) and said[i] not in ("time", "n", "uncertainty")]
+        found = [i for i in bare if _AXIS.fullmatch(names[i])] or bare
     # One of two columns is taken, so that the other has to be x.
     if column == "x" and not found and len(free) == 1 and len(names) == 2:
         found = free

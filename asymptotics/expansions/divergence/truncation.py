@@ -62,11 +62,11 @@ class BestOrder(Rows):
     label: str = "measured"
 
     def to_dict(self) -> dict[str, Any]:
-        """JSON-ready."""
+        """JSON-ready: numbers are strings."""
         return {
             "alpha": self.alpha, "delta": self.delta, "order": self.order, "power": self.power,
-            "predicted": self.predicted, "smallest_term": self.smallest_term, "errors": list(self.errors),
-            "label": self.label,
+            "predicted": repr(self.predicted), "smallest_term": repr(self.smallest_term),
+            "errors": [repr(error) for error in self.errors], "label": self.label,
         }  # fmt: skip
 
     def rows(self) -> list[tuple[str, str]]:

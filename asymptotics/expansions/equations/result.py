@@ -34,6 +34,7 @@ from asymptotics.expansions.equations.observables import Observables, observable
 from asymptotics.expansions.equations.row import CoefficientRow, sum_at
 from asymptotics.expansions.equations.strengths import Strengths
 from asymptotics.expansions.normal_form import show
+from asymptotics.gauges import TURNING_POINT
 from asymptotics.law import Law, Oscillator
 from asymptotics.numbers.policy import Number, exact_integer, exact_number
 from asymptotics.numbers.value import Coefficient, coefficient_columns
@@ -228,7 +229,8 @@ class Equations(Rows):
 
     def _letters(self) -> dict[str, str]:
         lines = " and ".join(text.partition(" and ")[0] for text in self.strengths.texts())
-        return {"A": f"slow amplitude, gauge {self.gauge}", r"\delta": f"local strength, {lines}"}
+        phase = {} if self.gauge == TURNING_POINT else {r"\psi": f"phase, gauge {self.gauge}"}
+        return {"A": f"slow amplitude, gauge {self.gauge}", r"\delta": f"local strength, {lines}", **phase}
 
     def _formula(self) -> str:
         return rf"\displaystyle {self.latex()}"

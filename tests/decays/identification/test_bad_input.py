@@ -28,10 +28,6 @@ BAD = {
         "n\n0\n1\n2\n",
         "no rows of two numbers in 4 lines",
     ),
-    "a speed": (
-        record().replace("t,x", "t,x [m/s]"),
-        "row 1, column x [m/s]: it seems to hold a velocity, not a position (accepted: --kind velocity",
-    ),
     "unknown time": (record().replace("t,x", "t_days,x"), "row 1, column t_days: 'days' is no unit of time"),
     "two units": ("amplitude_deg,decrement_mm\n1,0.1\n2,0.3\n", "deg does not fit the column decrement_mm"),
     "text cell": (
@@ -194,3 +190,10 @@ def test_more_half_swings_than_can_be_computed_are_refused_at_once():
     for data in ({"n": n, "x": [1.0, 0.9, 0.5, 0.2]}, Observations.of(n, [1.0, 0.9, 0.5, 0.2])):
         with pytest.raises(LimitError, match=r"1e\+09 half-swings, .* about 500 GB"):
             asy.identify(data)
+
+
+def test_a_place_in_metres_a_second_is_read_as_the_speed_that_it_is(tmp_path, capsys):
+    """The velocity of a linear decay: its rate is the same; as a place in other units it would be one as well."""
+    (tmp_path / "data.csv").write_text(record().replace("t,x", "t,x [m/s]"))
+    assert main(["identify", str(tmp_path / "data.csv"), "--laws", "1", "2", "--json"]) == 0
+    assert any("v: 'x [m/s]'" in note for note in json.loads(capsys.readouterr().out)["notes"])

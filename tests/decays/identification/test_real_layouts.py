@@ -147,3 +147,16 @@ def test_a_body_that_is_caught_and_let_go_again_is_several_runs_of_one_law():
     law = answer.law("1").law
     assert law.verdict == "consistent" and law.epsilon[0].estimate == pytest.approx(2 * mu, rel=0.04)
     assert {answer.law(text).law.verdict for text in ("0", "2")} == {"refuted"}
+
+
+def test_a_place_that_is_called_an_acceleration():
+    """Dry friction, exactly: (A - f) cos about f of either sign; an acceleration would jump where the motion turns."""
+    t, f = np.arange(0, 20, 0.01), 0.02
+    half = np.floor(t * W / np.pi)
+    size = 0.55 - 2 * f * half
+    x = np.where(size > f, (size - f) * np.cos(W * t) + f * (-1) ** half, np.nan)
+    x = x[np.isfinite(x)] + noise(int(np.isfinite(x).sum()), 1e-4)
+    found = asked({"t": t[: len(x)], "Acc": x}, ["0", "1", "0+1"])
+    assert found.verdict.kind == "none fits" and any("if it is a place, --kind record" in note for note in found.notes)
+    place = asked({"t": t[: len(x)], "Acc": x}, ["0", "1", "0+1"], kind="record")
+    assert place.law("0").law.epsilon[0].contains(f) and not any("if it is a place" in note for note in place.notes)

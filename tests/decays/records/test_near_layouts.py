@@ -11,7 +11,7 @@ from asymptotics.decays.identification.sources import load
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.table import read_table
 from asymptotics.errors import InputError, LimitError
-from tests.decays.records.layouts import OTHER, PEAKS, TURNS, N, T, V, rows
+from tests.decays.records.layouts import PEAKS, TURNS, N, T, V, rows
 
 COUNT = np.arange(len(TURNS))
 POINTS = {"n": COUNT, "t": TURNS, "x": PEAKS}
@@ -19,6 +19,13 @@ POINTS = {"n": COUNT, "t": TURNS, "x": PEAKS}
 
 def table(text, **how):
     return read_table(io.StringIO(text), how=How(**how))
+
+
+def named(name, text):
+    """An open file with a name."""
+    stream = io.StringIO(text)
+    stream.name = name
+    return stream
 
 
 def test_errors_weigh_the_turning_points_beside_which_they_stand():
@@ -48,11 +55,15 @@ def test_a_force_is_the_motion_only_where_there_is_no_other():
         load({"t": T, "force": N, "x": 0 * T})
 
 
-def test_a_tension_is_no_other_oscillator():
-    names = ("ax (m/s^2)", "ay (m/s^2)")
-    assert "a: 'ax" in read_table({"t": T, names[0]: N, names[1]: 0.4 * N**2}).notes[0]
-    with pytest.raises(InputError, match="a may be any of"):
-        read_table({"t": T, names[0]: N, names[1]: 0.4 * OTHER})
+def test_a_tension_or_a_mode_of_another_axis_is_no_other_oscillator():
+    mode = 0.5 * np.exp(-T / 25) * np.cos(9.3 * T)
+    for other in (0.4 * N**2, mode):
+        names = ("ax (m/s^2)", "ay (m/s^2)")
+        assert "a: 'ax" in read_table({"t": T, names[0]: N, names[1]: other}).notes[0]
+    # The double frequency of a height beside its place, and another oscillator.
+    assert "x: 'cm 1" in read_table({"t": T, "cm 1": N, "cm 2": 0.4 * N**2}).notes[0]
+    with pytest.raises(InputError, match="x may be any of"):
+        read_table({"t": T, "cm 1": N, "cm 2": mode})
 
 
 @pytest.mark.parametrize(
@@ -153,6 +164,13 @@ def test_axes_of_a_sensor_whose_kind_is_said():
     found = read_table(axes, kind="velocity")
     assert found.columns["v"].tolist() == (0.3 * V).tolist()
     assert read_table(axes).kind == "record"
+    # What is said knows better than a name; a unit does not lie.
+    assert read_table({"t": T, "Acc": N}, kind="record").columns["x"].tolist() == N.tolist()
+    with pytest.raises(InputError, match="no column x"):
+        read_table({"t": T, "Acc (m/s^2)": N, "Gyro (rad/s)": N}, kind="record")
+    # Of two axes in a plane a camera tells the places, whatever the file is called.
+    with pytest.raises(InputError, match="x may be any of 'x', 'y'"):
+        read_table(named("velocity.csv", "t,x,y\n" + rows(T, N, 0.8 * N)))
 
 
 def test_json_that_is_no_table(tmp_path, monkeypatch):

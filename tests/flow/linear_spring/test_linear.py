@@ -23,9 +23,12 @@ from asymptotics.return_map.sequence import Interpolated
 from asymptotics.turning.choose import turning_points
 from asymptotics.turning.half_swing import half_swing_result
 from tests.flow.forces import by_strength, damping_of
+from tests.worlds import STARTS, pairs_of
 
-LAWS = [(("0", "1/50"), ("1", "1/5")), (("1", "1"),), (("0", "1/7"),), (("0", "1/50"), ("1", "1.5"))]
-STARTS = [("1", "0"), ("0.75", "0.25"), ("-0.25", "0.5"), ("0", "1"), ("0.5", "0.001")]
+LAWS = pairs_of(
+    "dry friction beside the linear loss", "a loss next to the critical one", "dry friction",
+    "dry friction and nearly critical",
+)  # fmt: skip
 
 
 def damping(pairs, bits=200):
@@ -33,8 +36,8 @@ def damping(pairs, bits=200):
         return Damping.of([(parse_real(e, "e").ball(), parse_real(a, "a")) for a, e in pairs])
 
 
-@pytest.mark.parametrize("pairs", LAWS, ids=str)
-@pytest.mark.parametrize("start", STARTS)
+@pytest.mark.parametrize("pairs", LAWS)
+@pytest.mark.parametrize("start", STARTS.values(), ids=STARTS)
 def test_the_pieces_agree(pairs, start, monkeypatch):
     with ctx.workprec(120):
         law, (u, w) = damping(pairs), (arb(x).mid() for x in start)

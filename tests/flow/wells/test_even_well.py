@@ -21,6 +21,7 @@ from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.return_map.half_swing_map import integrated
 from asymptotics.turning.half_swing import half_swing_of_terms
 from tests.second_route.forced import drag_turning_points, quadratic_turning_points, stepping_turning_points
+from tests.worlds import worlds_of
 
 REST = ExactReal(0)
 
@@ -92,15 +93,16 @@ def test_quadratic_drag_with_a_linear_spring_is_lambert_w():
         assert q.contains(-arb(table.x)) and T.contains(arb(table.tau)) and q.rad() < arb(2) ** -85
 
 
-LINEAR = [
-    Law({"3/2": "1/10"}), Law({"1/2": "1/20", 3: "1/5"}), Law({"sqrt(2)": "1/3"}), Law({1: "3/2"}), Law({7: 2}),
-    Law({0: "1/20", "5/3": "1/10"}),
-]  # fmt: skip
+LINEAR = worlds_of(
+    "another rational power", "a root beside a cube", "an irrational power", "a loss next to the critical one",
+    "a strong cube", "a steep power", "dry friction beside three halves",
+)  # fmt: skip
 
 
-@pytest.mark.parametrize("law", LINEAR, ids=str)
-def test_the_linear_spring_as_a_well(law):
+@pytest.mark.parametrize("name", LINEAR)
+def test_the_linear_spring_as_a_well(name):
     """Two rooms, two theories of errors: each encloses what the other finds with more digits."""
+    law = LINEAR[name].dimensionless
     q, T = swing(law, 1, 60)
     with ctx.workprec(160):
         exactly = integrated(Damping.of_law(law), arb(1))

@@ -19,7 +19,7 @@ from asymptotics import __version__
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.telling.result import Identification
-from asymptotics.errors import InputError
+from asymptotics.errors import InputError, shown
 from asymptotics.made_by import line as made_by_line
 from asymptotics.numbers.policy import Number
 from asymptotics.present.page import figure, page, table, text
@@ -71,6 +71,9 @@ def html_report(
         raise InputError("answer", f"a {type(answer).__name__}", "what identify returns")
     if provenance is not None and not isinstance(provenance, Mapping):
         raise InputError("provenance", f"a {type(provenance).__name__}", "a mapping of names to texts")
+    for part in (part for line in (provenance or {}).items() for part in line):
+        if not isinstance(part, str):
+            raise InputError("provenance", f"{shown(part)} is no text", "a mapping of names to texts")
     names = ", ".join(run.name or "the data" for run in answer.runs)
     lines = {"program": f"power-law-oscillator {__version__}, identify", **(provenance or {})}
     lines["arithmetic"] = f"Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}"
