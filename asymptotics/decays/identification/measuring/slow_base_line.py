@@ -13,12 +13,12 @@ motion.  So it must be louder than that by far.
 >>> t = np.arange(0, 150, 0.1)
 >>> pure, base = np.exp(-0.01 * t) * np.cos(t), 0.05 / (1 + np.exp(-(t - 110) / 4))
 >>> noise = 1e-3 * np.random.default_rng(0).standard_normal(len(t))
->>> rest, notes = without_slow_base_line(t, pure + base + noise)
->>> left = rest - pure - noise
->>> bool(np.abs(left - np.polyval(np.polyfit(t, left, 1), t)).max() < 1e-3), notes
-(True, ('the base line wanders by up to 0.02 beside its drift: measured and taken off',))
->>> without_slow_base_line(t, pure + noise)[1]
-()
+>>> found = slow_base_line(t, pure + base + noise)
+>>> left = base - found.values
+>>> bool(np.abs(left - np.polyval(np.polyfit(t, left, 1), t)).max() < 1e-3), found.told
+(True, 'the base line wanders by up to 0.02 beside its drift: measured and taken off')
+>>> slow_base_line(t, pure + noise) is None
+True
 """
 
 from dataclasses import dataclass
@@ -70,14 +70,6 @@ class SlowBaseLine:
         # Over a part of the record they are dependent: what only large ones that cancel would make is no base line.
         left, size, _ = np.linalg.svd(_cosines((t - self.start) / self.span, count), full_matrices=False)
         return np.asarray(left[:, size > _CANCEL * size[0]])
-
-
-def without_slow_base_line(t: Array, x: Array) -> tuple[Array, tuple[str, ...]]:
-    """The record without what wanders beside its drift, and a note where there is such a thing."""
-    found = slow_base_line(t, x)
-    if found is None:
-        return x, ()
-    return x - found.values, (found.told,)
 
 
 def slow_base_line(t: Array, x: Array) -> SlowBaseLine | None:
