@@ -9,18 +9,22 @@
 from math import inf
 
 import mpmath
+import numpy as np
 import sympy
 
 from asymptotics.curves.slow_series import EnvelopeSeries
-from asymptotics.envelopes.slow_time import epsilon
+from asymptotics.envelopes.slow_time import D, epsilon
 from asymptotics.envelopes.symbolic import tau
 from asymptotics.errors import InputError
+from asymptotics.expansions.moments.symbolic import moment
 from asymptotics.law import Oscillator
-from asymptotics.numbers.bridge import from_sympy
+from asymptotics.numbers.bridge import from_sympy, to_sympy
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimal_context import workdps
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.terms import Term
+
+_REAL = 1e-9  # a root of doubles is taken for real; a pair that is nearly double may be missed, and A touches 0 there
 
 
 def acting_term(oscillator: Oscillator) -> Term:
@@ -74,11 +78,19 @@ def _require_before_extinction(series: EnvelopeSeries, numbers: dict[sympy.Symbo
 
 
 def end_of_series(series: EnvelopeSeries, strength: ExactReal) -> float:
-    """tau of the extinction of the truncated series; infinity for alpha >= 1.
+    """tau where the truncated amplitude, explicit in the slow time, first vanishes; infinity for alpha >= 1; a double.
 
     >>> from asymptotics.curves.slow_series import envelope_series
-    >>> round(end_of_series(envelope_series(ExactReal(0), 3), ExactReal("1/50")), 6)
+    >>> from fractions import Fraction
+    >>> round(end_of_series(envelope_series(ExactReal(0), 3), ExactReal(Fraction(1, 50))), 6)
     78.539816
     """
-    # Beyond it 1 + (alpha-1) p_1 epsilon tau is negative, and its power complex.
-    return series.extinction_time(strength) if series.alpha < 1 else inf
+    if not series.alpha < 1:
+        return inf
+    # A = A_0 (a polynomial in D), and D = 1/(1 + (alpha-1) p_1 epsilon tau) grows from 1 to infinity, where A_0 is 0;
+    # beyond, its powers are complex.
+    exponent, size = to_sympy(series.alpha), float(strength.ball().mid())
+    polynomial = sympy.Poly(series.relative.subs(epsilon, size), D)
+    roots = np.roots([float(c) for c in polynomial.all_coeffs()])
+    first = min((float(r.real) for r in roots if abs(r.imag) <= _REAL * abs(r) and r.real > 1), default=inf)
+    return (1 - 1 / first) / float((1 - exponent) * moment(exponent + 1) * size)

@@ -37,6 +37,7 @@ from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.expansions.normal_form.show import sum_latex, sum_text
 from asymptotics.gauges import TURNING_POINT
 from asymptotics.numbers.bridge import to_fraction, to_sympy
+from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball, rational_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
@@ -109,10 +110,19 @@ class EnvelopeSeries(Rows):
         >>> envelope_series(ExactReal(2), 2).explicit
         (1/(4*epsilon*tau/(3*pi) + 1), epsilon*(-pi/8 + pi/(8*(4*epsilon*tau/(3*pi) + 1))))
         """
-        relative, phase = expressions(explicit(self.formulas, self.order - 1))
+        relative, phase = self._in_slow_time
         exponent = to_sympy(self.alpha)
         leading, slow = leading_amplitude(exponent, moment(exponent + 1), epsilon, tau)
         return leading * relative.subs(D, slow), phase.subs(D, slow)
+
+    @property
+    def relative(self) -> Expr:
+        """A/A_0 in D and epsilon, A_0 being the amplitude of first order (``slow_time``)."""
+        return self._in_slow_time[0]
+
+    @cached_property
+    def _in_slow_time(self) -> tuple[Expr, Expr]:
+        return expressions(explicit(self.formulas, self.order - 1))
 
     @property
     def formal(self) -> bool:

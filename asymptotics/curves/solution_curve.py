@@ -39,7 +39,7 @@ class SolutionCurve(Drawn):
 
     @property
     def mirrored(self) -> bool:
-        """Whether it starts at rest from x0 < 0: the mirror image of the start at +1, half a turn later, phi(0) = pi."""
+        """Whether it starts at rest from x0 < 0: the mirror image of a start at +1, half a turn later, phi(0) = pi."""
         given = self.oscillator
         return given is not None and given.v0.is_zero and bool(given.x0 < 0)
 

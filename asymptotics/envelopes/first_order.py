@@ -75,7 +75,7 @@ def exact_squaring(term: Term) -> ExactReal | None:
 def start_phase(oscillator: Oscillator) -> arb:
     """phi(0) in x - i v/omega_0 = A e^(i phi), in (-pi, pi]: from rest 0, or pi where x0 < 0; rad.
 
-    >>> [start_phase(Oscillator({2: "1/10"}, x0=x0, v0=v0)).str(6, radius=False) for x0, v0 in ((1, 0), (-1, 0), (0, 1))]
+    >>> [start_phase(Oscillator({2: 1}, x0=x, v0=v)).str(6, radius=False) for x, v in ((1, 0), (-1, 0), (0, 1))]
     ['0', '3.14159', '-1.57080']
     """
     speed = oscillator.v0.ball() / oscillator.omega_0()

@@ -3,12 +3,16 @@
 import csv
 import io
 import json
+from fractions import Fraction
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 import asymptotics as asy
 from asymptotics.ask.questions.solution import solution_at
+from asymptotics.curves.envelope_order import end_of_series
+from asymptotics.numbers.exact import ExactReal
 from asymptotics.shell.main import main
 from tests.shell.answers import answer
 
@@ -32,17 +36,13 @@ def test_the_phase_of_an_envelope_is_that_of_the_motion(law, start):
     """One formula with the motion of order 2, which the same start gives its own A(0) and phi(0): O(epsilon) apart."""
     oscillator = started(law, *start)
     found, moving = asy.envelope(oscillator), asy.motion(oscillator, order=2)
-    for t in (0, "5/2"):
+    for t, time in ((0, 0.0), ("5/2", 2.5)):
         phi = float(found.phase(t, digits=12))
         assert phi == pytest.approx(float(moving.at(t, digits=12).phase), abs=0.15)
-        assert found.phases([eval_(t)])[0] == pytest.approx(phi, abs=1e-9)
+        assert found.phases([time])[0] == pytest.approx(phi, abs=1e-9)
     begin = found.sample([0.0])
     assert begin.x[0] == pytest.approx(float(oscillator.x0.ball().mid()), abs=1e-12)
     assert begin.v[0] == pytest.approx(float(oscillator.v0.ball().mid()), abs=1e-12)
-
-
-def eval_(t):
-    return 2.5 if t else 0.0
 
 
 @pytest.mark.parametrize("start", STARTS)
@@ -105,21 +105,12 @@ def test_text_table_and_motion_have_one_phase_of_a_solution(law, x0, tmp_path, c
 def test_a_solution_from_the_other_side_is_the_mirror_image_in_every_answer(law):
     right, left = (asy.solution(asy.Oscillator(law, x0=x0), order=2) for x0 in (1, -1))
     t = np.array([0.0, 5.0])
-    for one, other in (
-        (right.sample(t), left.sample(t)),
-        (right.columns(t)[1:], left.columns(t)[1:]),
-        ([float(v) for v in right.at(5)[:3]], [float(v) for v in left.at(5)[:3]])
-        if len(law) == 1
-        else (_point(right.at(5)), _point(left.at(5))),
-    ):
-        assert np.allclose(np.array(other) - np.array(one) * [[1], [1], [-1]] if np.ndim(one) == 2 else
-                           np.array(other) - np.array(one) * [1, 1, -1],
-                           np.array([[0], [np.pi], [0]]) if np.ndim(one) == 2 else [0, np.pi, 0], atol=1e-12)  # fmt: skip
+    seen = [(s.sample(t), s.columns(t)[1:], [(p.amplitude, p.phase, p.x) for p in [s.at(5)]][0]) for s in (right, left)]
+    for one, other in zip(*seen):
+        (A, phi, x), (A_2, phi_2, x_2) = (np.array(values, float) for values in (one, other))
+        assert np.allclose(A_2, A, atol=1e-12) and np.allclose(x_2, -x, atol=1e-12)
+        assert np.allclose(phi_2 - phi, np.pi, atol=1e-12)
     assert left.columns([0.0])[3][0] == pytest.approx(-1, abs=1e-12)
-
-
-def _point(found):
-    return [float(v) for v in (found.amplitude, found.phase, found.x)]
 
 
 def test_the_printed_formula_of_x_holds_with_the_start_put_in():
@@ -133,11 +124,11 @@ def test_the_printed_formula_of_x_holds_with_the_start_put_in():
 def test_formulas_in_SI_hold_for_a_start_on_the_other_side(alpha):
     """Put in: m, k, b, t and x_0 = |x(0)|, as the text says."""
     oscillator = asy.Oscillator({alpha: "1/10"}, mass="3/2", stiffness=30, x0="-1/5")
-    found, point = asy.solution(oscillator, order=2), None
+    found = asy.solution(oscillator, order=2)
     point = found.at_time(oscillator, 3, 15)
     values = {"m": 1.5, "k": 30.0, "b": 0.1, "x_0": 0.2, "t": 3.0}
     A, phi = (complex(e.subs({s: values[s.name] for s in e.free_symbols})) for e in found.in_units("SI"))
-    assert A == pytest.approx(float(point.amplitude), rel=1e-12) and phi == pytest.approx(float(point.phase), abs=1e-12)
+    assert pytest.approx(float(point.amplitude), rel=1e-12) == A and phi == pytest.approx(float(point.phase), abs=1e-12)
 
 
 def test_what_x_0_is_in_SI_is_said(capsys):
@@ -173,24 +164,29 @@ def test_columns_of_an_order_end_where_its_amplitude_does(law, times):
 
 @pytest.mark.parametrize("start", STARTS)
 def test_the_picture_of_an_envelope_starts_at_the_start(start):
-    import matplotlib.figure
-
     for averaging in ("mean", "squaring"):
-        axes = matplotlib.figure.Figure().subplots()
+        axes = Figure().subplots()
         asy.envelope(started({2: "1/50"}, *start), averaging=averaging).plot(axes, until=3.0)
         x = axes.lines[0].get_ydata()
-        assert x[0] == pytest.approx(eval_of(start[0]), abs=1e-12)
+        assert x[0] == pytest.approx(float(Fraction(start[0])), abs=1e-12)
 
 
-def eval_of(text):
-    top, _, bottom = text.partition("/")
-    return int(top) / int(bottom or 1)
+@pytest.mark.parametrize("alpha", ["1/2", "9/10"])
+def test_an_amplitude_of_an_order_ends_at_its_own_first_zero(alpha):
+    """Next to the extinction the truncated factor of A_0 turns negative before A_0 does."""
+    found = asy.envelope({alpha: "1/5"})
+    end = end_of_series(found.series(3), ExactReal(Fraction(1, 5)))
+    assert end < 1 / (float(1 - Fraction(alpha)) * float(found.kappas(digits=15)[0]))
+    _, A, phi = found.columns(np.linspace(0, 2 * end, 999), order=3)
+    assert np.all(A >= 0) and np.all(np.diff(A) <= 0) and np.array_equal(A == 0, np.isnan(phi))
+    late = Fraction(end * (1 + 1e-9))
+    with pytest.raises(asy.InputError, match="extinct"):
+        found.at_order(late, 3)
+    assert 0 < float(found.at_order(Fraction(end * (1 - 1e-6)), 3)[0]) < 1e-3
 
 
 def test_the_title_of_a_picture_has_its_order():
-    import matplotlib.figure
-
-    axes = matplotlib.figure.Figure().subplots()
+    axes = Figure().subplots()
     asy.envelope({2: "1/50"}).plot(axes, until=3.0, order=3)
     assert "order 3" in axes.get_title() and "first order" not in axes.get_title()
     svg = asy.envelope({2: "1/50"}).picture("svg", until=3.0, order=3)

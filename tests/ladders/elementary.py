@@ -4,7 +4,7 @@ import sympy
 from flint import arb
 
 from asymptotics.envelopes import certified as envelope
-from asymptotics.envelopes.first_order import FirstOrderEnvelope
+from asymptotics.envelopes.first_order import FirstOrderEnvelope, start_phase
 from asymptotics.envelopes.large import SlowFlow
 from asymptotics.errors import UndecidedError
 from asymptotics.expansions.half_swings.symbolic import nested_integral, nested_integral_exact
@@ -104,12 +104,13 @@ LAWS = [
     Ladder(("asymptotics.law.Oscillator.deltas", "asymptotics.terms.Term.delta"), MASS.deltas, stretch=2),
     Ladder(("asymptotics.law.Oscillator.to_si",), lambda x: MASS.to_si(x, x), stretch=2),
     Ladder(("asymptotics.motions.admission.local_strength",), lambda _: [local_strength(MASS)]),
+    Ladder(("asymptotics.envelopes.first_order.start_phase",), lambda _: [start_phase(MASS)]),
     Ladder(
         tuple(f"asymptotics.envelopes.first_order.FirstOrderEnvelope.{name}" for name in ("laws", "rates")),
         lambda _: [*(k for _, k in ENVELOPE.laws()), *ENVELOPE.rates(), *SQUARED.rates()],
     ),
     Ladder(
-        tuple(f"asymptotics.envelopes.first_order.FirstOrderEnvelope.{name}_ball" for name in ("amplitude", "phase")),
+        tuple(f"asymptotics.envelopes.first_order.FirstOrderEnvelope.{name}_ball" for name in ("amplitude", "lag")),
         lambda x: [ENVELOPE.amplitude_ball(x), ENVELOPE.lag_ball(x)],
         "5",
         16,
