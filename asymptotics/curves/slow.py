@@ -8,7 +8,7 @@ averaged equation (Krylov and Bogoliubov; Bogoliubov and Mitropolsky, 1961) is s
 [0.2, 0.16499144]
 """
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -205,7 +205,7 @@ class Envelope(SlowNumbers, Drawn):
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
         """Arrays of A, phi and x = A cos(omega_0 t + phi) at the times ``t`` (s, or tau): doubles."""
         self._require_phase()
-        return replace(AsymptoticMotion.of(self.oscillator, 1).sample(times_of(t)), frame=self.frame)
+        return AsymptoticMotion.of(self.oscillator, 1, frame=self.frame).sample(times_of(t))
 
     @public
     def amplitudes(self, t: ArrayLike, *, max_seconds: Number = 60) -> Any:

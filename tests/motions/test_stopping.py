@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+import asymptotics as asy
 from asymptotics.motions.stopping import LastSwing, _arc_from, arc
 
 REACH = 0.3
@@ -60,3 +61,15 @@ def test_an_arc_passes_through_its_state_and_slides_against_friction(state):
 def test_at_rest_within_the_reach_of_friction_the_mass_stays(place):
     swing = LastSwing.of(2.0, (place, 0.0), REACH, 5)
     assert (swing.begin, swing.end, swing.hold, swing.radius, swing.turn) == (2.0, 2.0, place, 0.0, 5)
+
+
+def test_notes_tell_times_in_the_frame_of_the_law():
+    """A law alone has no seconds."""
+    for law, seconds, bare in (
+        ({0: "1/10", 2: "1/10"}, "mass from 12.5727 s on", "mass from tau = 12.5727 on"),
+        ({"1/2": "1/5"}, "extinction time 17.9721 s of", "extinction time tau = 17.9721 of"),
+    ):
+        for given, told in ((asy.Oscillator(law), seconds), (law, bare)):
+            motion = asy.motion(given, order=2)
+            for notes in (motion.at(30).notes, motion.sample([30.0]).notes):
+                assert any(told in note for note in notes), notes
