@@ -47,7 +47,7 @@ from asymptotics.motions.certify import half_unit
 from asymptotics.motions.doubles import Doubles
 from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.result import MotionSamples
-from asymptotics.motions.stopping import LastSwing, friction_arc, last_swing
+from asymptotics.motions.stopping import LastSwing, friction, friction_arc, last_swing
 from asymptotics.motions.truncation import State, Truncation
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
@@ -59,6 +59,7 @@ SMALL = 1
 METHOD = "asymptotic expansion"
 # Bits beyond the digits for what midpoints lose, which no ball records: 16 more for each order are added below.
 _GUARD = 64
+_TIE_BITS = 240
 # Far beyond any unit, and well inside the doubles of the tables, their powers of the order included.
 _LARGEST = arb(10) ** 100
 # From there on neighbouring doubles are a radian or more apart.
@@ -115,7 +116,7 @@ class AsymptoticMotion:
         omega, length = (float(x) for x in (self.oscillator.omega_0(), self.oscillator.length()))
         columns = self._doubles.evaluate(flat)
         latest = float(flat.max(initial=0.0))
-        last, extinction = last_swing(self._doubles, latest), self._doubles.slow(latest).extinction
+        last, extinction = self._last(latest), self._doubles.slow(latest).extinction
         if last is not None:
             # Friction ends the motion, and not the averaged law: what comes after the last half-swing is no fictitious
             # time.
@@ -153,6 +154,22 @@ class AsymptoticMotion:
             zip(("x", "v", "amplitude", "phase"), rows * np.array([length, length * omega, length, 1.0])[:, None])
         )
 
+    def _last(self, latest: float) -> LastSwing | None:
+        """How the motion ends before ``latest``; where doubles do not tell whether friction just holds, by balls."""
+        last = last_swing(self._doubles, latest)
+        if last is None or last.turn is None or not last.is_close(friction(self._doubles.frame)):
+            return last
+        with ctx.workprec(_TIE_BITS):
+            frame = Truncation.of(self.oscillator, self.order, self.gauge)
+            begin, state = frame.turning_point(last.turn, arb(last.begin), frame.start(self._doubles.guess))
+            if state is None:
+                return last
+            place = state.point(frame).real.mid()
+            beyond = (abs(place) - frame.reach).mid()
+            # Equal to half of the bits: a tie, of numbers that make one.
+            beyond = arb(0) if abs(beyond) < arb(2) ** (-_TIE_BITS // 2) else beyond
+        return last.decided(float(begin), float(place), float(beyond))
+
     def _held_note(self, last: LastSwing) -> str:
         end = self.frame.told_time(f"{last.end / float(self.oscillator.omega_0()):.6g}")
         return f"dry friction holds the mass from {end} on"
@@ -175,7 +192,7 @@ class AsymptoticMotion:
     def _point(self, tau: arb, digits: int) -> MotionPoint:
         frame = Truncation.of(self.oscillator, self.order, self.gauge)
         start = frame.start(self._doubles.guess)
-        last = last_swing(self._doubles, float(tau))
+        last = self._last(float(tau))
         if last is not None and float(tau) >= last.begin:
             return self._ended(tau, frame, start, last, digits)
         # None: the averaged amplitude of a law with alpha < 1 has vanished before.
