@@ -145,7 +145,7 @@ class Motion(Drawn):
 
     @cached_property
     def _motion(self) -> AsymptoticMotion:
-        return AsymptoticMotion.of(self.oscillator, self.order, self.gauge)
+        return AsymptoticMotion.of(self.oscillator, self.order, self.gauge, self.frame)
 
     def _page(self) -> Page:
         worth = f"order {self.order}, gauge {self.gauge}: an estimate; .bound(t) and .uniform_bound() are proved"

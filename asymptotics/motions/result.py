@@ -61,7 +61,8 @@ class MotionSamples(Alike, Rows, Drawn):
 
     def _page(self) -> Page:
         rows = [tuple(f"{x:.10g}" for x in row) for row in zip(*(np.ravel(c) for c in self.columns().values()))]
-        end = () if self.extinction is None else (f"the averaged amplitude is 0 from t = {self.extinction:.6g} s on",)
+        t = self.frame.with_unit("t", f"{self.extinction:.6g}") if self.extinction is not None else ""
+        end = (f"the averaged amplitude is 0 from {self.frame.time} = {t} on",) if t else ()
         return Page(repr(self), ("estimates, in doubles", *end, *self.notes), tuple(self.header()), tuple(rows))
 
     def _formula(self) -> str:
