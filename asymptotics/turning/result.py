@@ -251,7 +251,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
         head, rows = self.named_columns()
         shown = 3 if self.timed else 2
         worth = f"{'certified' if self.certified else 'not certified'}, {self.digits} digits ({self.method})"
-        end = (self.told_first,) if self.first is not None else ()
+        end: tuple[str, ...] = (self.told_first,) if self.first is not None else ()
         end += (self.told_end,) if self.ended is not None else ()
         what = f" of {self.oscillator}" if self.oscillator else f", alpha = {self.alpha}, epsilon = {self.epsilon}"
         title = f"{len(rows)} turning points{what}"
