@@ -13,11 +13,16 @@ from asymptotics.law import Oscillator
 from asymptotics.present.shown import Page, Shown
 
 _TIMES = ("t", "time", "period", "extinction")
+STRENGTHS = "units of the strengths"
+"""What x counts where the start is no unit, and the strengths have a length of their own."""
 
 
 @dataclass(frozen=True, repr=False)
 class Frame(Shown):
-    """The units of x and of t; both empty: x in units of x0 (or of the strengths), and tau = omega_0 t."""
+    """The units of x and of t; both empty: x in units of x0 (or of the strengths), and tau = omega_0 t.
+
+    Without that of t there are no units, but x is told in ``x``: the radian, or the length of the strengths.
+    """
 
     x: str = ""
     t: str = ""
@@ -45,9 +50,11 @@ class Frame(Shown):
         >>> frame = Frame("m", "s")
         >>> [frame.unit(name) for name in ("t", "v", "phase", "amplitude")]
         ['s', 'm/s', 'rad', 'm']
+        >>> [Frame("rad").unit(name) for name in ("tau", "v", "amplitude")]
+        ['', '', 'rad']
         """
         if not self.t:
-            return ""
+            return self.x if name in ("x", "amplitude") else ""
         return self.t if name in _TIMES else {"v": f"{self.x}/{self.t}", "phase": "rad"}.get(name, self.x)
 
     def unit_of_loss(self, alpha: object) -> str:
@@ -78,8 +85,18 @@ class Frame(Shown):
         """A value with its unit."""
         return f"{value} {unit}" if (unit := self.unit(name)) else f"{value}"
 
+    def told_time(self, value: object) -> str:
+        """A time in a sentence.
+
+        >>> Frame("m", "s").told_time(2), BARE.told_time(2)
+        ('2 s', 'tau = 2')
+        """
+        return f"{value} {self.t}" if self.t else f"tau = {value}"
+
     def latex(self, name: str, value: str) -> str:
         """The same as LaTeX."""
+        if self.unit(name) == STRENGTHS:
+            return rf"{value}\ \text{{{STRENGTHS}}}"
         return rf"{value}\,\mathrm{{{unit}}}" if (unit := self.unit(name)) else value
 
     @property
@@ -101,3 +118,12 @@ def require_frame(value: object) -> Frame:
 def frame_of(oscillator: Oscillator | None) -> Frame:
     """m and s (rad of a pendulum) of an oscillator, ``BARE`` of a law alone."""
     return BARE if oscillator is None else Frame(oscillator.unit, "s")
+
+
+def started_frame(x_unit: str) -> Frame:
+    """The frame of places in ``x_unit``: m or rad beside s, or x0, rad, strengths without units.
+
+    >>> started_frame("rad").named("x"), started_frame("rad").named("t"), started_frame("x0") == BARE
+    ('x [rad]', 'tau', True)
+    """
+    return Frame({"rad": "rad", "strengths": STRENGTHS}.get(x_unit, ""))

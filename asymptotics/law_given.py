@@ -37,8 +37,6 @@ class Given:
         law, pendulum = self.oscillator.law, any(t.family for t in self.oscillator.law.terms)
         if self.frame:
             return "rad" if pendulum else "m"
-        if not self.oscillator.v0.is_zero:
-            return "x0"
         if pendulum:
             return "rad"
         # A loss |x|^M and a spring have strengths that belong to a length.

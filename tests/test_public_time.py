@@ -232,7 +232,7 @@ def test_an_alarm_that_comes_before_the_last_one_is_done_does_nothing(monkeypatc
 
     monkeypatch.setattr(public, "PERIOD", 1e-4)
     monkeypatch.setattr(public, "is_lost", slow_look)
-    with pytest.raises(LimitError), public.limited(0.03):
+    with pytest.raises(LimitError), public.limited(0.15):
         while True:
             pass
     assert len(looks) > 5 and max(looks) < min(looks) + 10

@@ -270,9 +270,9 @@ def question(
             bound = signature.bind(*args, **rest)
             bound.apply_defaults()
             given = bound.arguments
-            values = made.read(given)
-            rest = {n: v for n, v in given.items() if n not in values}
             try:
+                values = made.read(given)
+                rest = {n: v for n, v in given.items() if n not in values}
                 return with_notes(compute(**values, **rest), _floats(made, given))
             except InputError as error:
                 raise made.in_python(error) from error

@@ -28,7 +28,7 @@ of the theorem, or belongs to a time ``until`` before that: the bound holds up t
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import takewhile
 from typing import Any
@@ -40,6 +40,7 @@ from asymptotics.bounds.local import two_digits
 from asymptotics.bounds.turning import rates
 from asymptotics.bounds.waveform import BITS, WaveformBounds, waveform_bounds
 from asymptotics.errors import InputError, LimitError
+from asymptotics.frames import BARE, Frame
 from asymptotics.law import Oscillator
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import directed_decimal
@@ -65,21 +66,25 @@ class UniformBound(Shown):
     bound: str
     velocity: str
     until: str | None
+    frame: Frame = field(default=BARE, compare=False)
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready; decimals rounded to the safe side."""
         return {"order": self.order, "bound": self.bound, "velocity": self.velocity, "until": self.until}
 
     def _page(self) -> Page:
-        return Page(repr(self), ("proved, rounded up; in m, m/s and s (no units where the law has none)",))
+        return Page(repr(self), ("proved, rounded up", self.frame.in_words))
 
     def _formula(self) -> str:
-        n, end = self.order, r"t\ge0" if self.until is None else rf"0\le t\le {self.until}"
-        return rf"|x-x_{{{n}}}|\le {self.bound},\ |\dot x-\dot x_{{{n}}}|\le {self.velocity},\quad {end}"
+        n, told = self.order, self.frame.latex
+        end = r"t\ge0" if self.until is None else rf"0\le t\le {told('t', self.until)}"
+        bound, velocity = told("x", self.bound), told("v", self.velocity)
+        return rf"|x-x_{{{n}}}|\le {bound},\ |\dot x-\dot x_{{{n}}}|\le {velocity},\quad {end}"
 
     def __repr__(self) -> str:
-        n, end = self.order, "every t >= 0" if self.until is None else f"t <= {self.until}"
-        return f"|x - x_{n}| <= {self.bound}, |x' - x'_{n}| <= {self.velocity} for {end}"
+        n, told = self.order, self.frame.with_unit
+        end = "every t >= 0" if self.until is None else f"t <= {told('t', self.until)}"
+        return f"|x - x_{n}| <= {told('x', self.bound)}, |x' - x'_{n}| <= {told('v', self.velocity)} for {end}"
 
 
 def uniform_bound(oscillator: Oscillator, order: int = 3, *, until: Number | None = None) -> UniformBound:

@@ -105,7 +105,7 @@ class Motion(Drawn):
         # The waveform of the theorem is that of the gauge in which v vanishes at psi = n pi to every order.
         if self.gauge != TURNING_POINT:
             raise InputError("gauge", f"no such theorem is known in the gauge {self.gauge}", TURNING_POINT)
-        return uniform_bound(self.oscillator, self.order, until=until)
+        return replace(uniform_bound(self.oscillator, self.order, until=until), frame=self.frame)
 
     @public
     def sample(self, t: ArrayLike, *, max_seconds: Number = 60) -> MotionSamples:
@@ -145,7 +145,7 @@ class Motion(Drawn):
 
     @cached_property
     def _motion(self) -> AsymptoticMotion:
-        return AsymptoticMotion.of(self.oscillator, self.order, self.gauge)
+        return AsymptoticMotion.of(self.oscillator, self.order, self.gauge, self.frame)
 
     def _page(self) -> Page:
         worth = f"order {self.order}, gauge {self.gauge}: an estimate; .bound(t) and .uniform_bound() are proved"
@@ -223,7 +223,7 @@ class Reference(ProvedStates, Drawn):
         return alone(self.oscillator, 0) is not None
 
     def _heading(self) -> str:
-        return f"{self.oscillator}: reference"
+        return f"{self._name}: reference"
 
     def _curve(self, axes: Any, **style: Any) -> None:
         """x; with ``velocity=True`` v on axes below."""
@@ -258,13 +258,21 @@ class Reference(ProvedStates, Drawn):
 
     def _page(self) -> Page:
         worth = "without expansion: .at(t) says its digits and whether they are certified; curves are doubles"
-        return Page(f"x(t) of {self.oscillator}", (worth, self.frame.in_words, *self.notes))
+        return Page(f"x(t) of {self._name}", (worth, self.frame.in_words, *self.notes))
 
     def _formula(self) -> str:
         return self.oscillator._formula()
 
+    @property
+    def _name(self) -> str:
+        """The oscillator, and the static friction that it has not of itself."""
+        if self.static is None:
+            return str(self.oscillator)
+        force = "N m" if self.frame.x == "rad" else "N"
+        return f"{self.oscillator}, static friction {self.static}" + (f" {force}" if self.frame else "")
+
     def __repr__(self) -> str:
-        return f"Reference({self.oscillator})"
+        return f"Reference({self._name})"
 
 
 @public

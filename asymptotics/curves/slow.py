@@ -4,8 +4,6 @@ averaged equation (Krylov and Bogoliubov; Bogoliubov and Mitropolsky, 1961) is s
 >>> slow = envelope(Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5"))
 >>> slow.amplitude(7, digits=12), slow.formula
 ('0.164991444234', ClosedForm(family='power', expression=(kappa_1*tau/2 + 1)**(-2)))
->>> slow.sample([0.0, 7.0]).amplitude.round(8).tolist()
-[0.2, 0.16499144]
 """
 
 from collections.abc import Mapping
@@ -233,10 +231,8 @@ class Envelope(SlowNumbers, Drawn):
     @public
     def phases(self, t: ArrayLike, *, max_seconds: Number = 60) -> Any:
         """phi in rad at an array of times ``t`` (s, or tau), as ``phase``: doubles; NaN where it is not known."""
-        # The squaring trick is one for the amplitude: it has no phase.
         if self.averaging != MEAN:
             return np.full_like(times_of(t), np.nan)
-        # The motion of order 2 has a phi(0) of its own.
         motion, rate = self._turning
         phi = motion.phases(np.asarray(times_of(t)) * rate) - motion.phases(np.zeros(1))[0] + self._first_phase
         # From the extinction on there is no amplitude, and a phase of nothing is NaN, not the last value.

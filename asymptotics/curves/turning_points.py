@@ -15,8 +15,9 @@ from flint import arb
 from asymptotics.certificates.certificate import Certificate
 from asymptotics.certificates.of_results import of_turning_points
 from asymptotics.errors import InputError
-from asymptotics.frames import BARE, frame_of
+from asymptotics.frames import BARE, Frame, frame_of, started_frame
 from asymptotics.law import Law, Oscillator
+from asymptotics.law_given import Given
 from asymptotics.motions.coulomb import exact_turning_points
 from asymptotics.motions.state_route import alone
 from asymptotics.numbers.context import ctx
@@ -44,6 +45,21 @@ class MotionTurningPoints(TurningPoints):
 
     moving: Oscillator = field(kw_only=True)
 
+    @property
+    def x_unit(self) -> str:
+        """What x counts: m, rad, the start itself (x0), or the length in which the strengths are given (strengths)."""
+        return Given(self.moving, frame_of(self.oscillator)).x_unit
+
+    @property
+    def frame(self) -> Frame:
+        """The units of x and t; without units of the motion x may still have one, the radian or that of the strengths.
+
+        >>> moving = Oscillator({2: 1}, x0=2)
+        >>> of_motion(moving, without_units(moving, 1, digits=3)).frame.named("x")
+        'x [units of the strengths]'
+        """
+        return started_frame(self.x_unit) if self.oscillator is None else frame_of(self.oscillator)
+
     @public
     def certificate(self, *, max_seconds: Number = 60) -> Certificate:
         """A file from which ``check_certificate.py``, a page of standard Python, proves every digit.
@@ -51,12 +67,13 @@ class MotionTurningPoints(TurningPoints):
         In m and s where the points are.  InputError for what has none: springs, losses that know the place, irrational
         numbers, estimates.
         """
-        return of_turning_points(self.moving, self)
+        return of_turning_points(self.moving, replace(self, first=None))
 
 
 def of_motion(moving: Oscillator, found: TurningPoints) -> MotionTurningPoints:
     """The same points, of the motion of this oscillator."""
-    return MotionTurningPoints(**{f.name: getattr(found, f.name) for f in fields(found) if f.init}, moving=moving)
+    told = MotionTurningPoints(**{f.name: getattr(found, f.name) for f in fields(found) if f.init}, moving=moving)
+    return replace(told, points=tuple(replace(p, frame=told.frame) for p in told.points))
 
 
 def turning_points_in_units(
@@ -108,6 +125,47 @@ def without_units(oscillator: Oscillator, count: int, **rest: Any) -> TurningPoi
     return bare(found)
 
 
+def started_in_motion(
+    oscillator: Oscillator,
+    count: int,
+    *,
+    digits: int = 30,
+    start: int = 0,
+    times: bool = False,
+    route: str | None = None,
+) -> TurningPoints:
+    """With v0 != 0 and m = k = 1, without units: x in what x0 is in, as at rest; ``first`` tells when n = 0 is.
+
+    >>> found = started_in_motion(Oscillator({2: "1/20"}, x0=-2, v0=1), 2, digits=8)
+    >>> [p.x for p in found.points], found.first
+    (['1.9475547', '-1.7234527'], {'amplitude': '1.9475547', 'tau': '2.6802912'})
+    """
+    law, x0, v0 = Law.from_terms(oscillator.law.terms, oscillator.law.notes), oscillator.x0, oscillator.v0
+
+    def undivided(found: TurningPoints) -> TurningPoints | None:
+        if found.first is None:  # it never turns
+            return replace(found, digits=digits)
+        with ctx.workprec(bits_for(found.digits, 64)):
+            size = ball_of(found.first["amplitude"])
+            points = _carried(oscillator, found, size, arb(1), digits)
+            exact = _exact_places(oscillator)(0)
+            amplitude = decimal_of(abs(size) if exact is None else abs(exact), digits)
+            tau = decimal_of_ball(ball_of(found.first["tau"]), digits)
+        if points is None or amplitude is None or tau is None:
+            return None
+        bare = tuple(replace(p, frame=BARE) for p in points)
+        return replace(found, digits=digits, points=bare, first={"amplitude": amplitude, "tau": tau})
+
+    def attempt(bits: int) -> TurningPoints | None:
+        with changed(undivided):
+            known = int(bits / BITS_PER_DIGIT)
+            found = with_notes(law, count, known, start, times, route=route, most=_MOST, x0=x0, v0=v0)
+        return undivided(found)
+
+    bits = bits_for(digits, _SPARE)
+    return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
+
+
 def with_notes(law: Law, count: int, digits: int, start: int, times: bool, **rest: Any) -> TurningPoints:
     """The points, with the notes of the law; also those that were done when the time was over."""
 
@@ -137,23 +195,29 @@ def dimensionless(oscillator: Oscillator) -> tuple[Law, dict[str, ExactReal]]:
 def _in_si(oscillator: Oscillator, found: TurningPoints, digits: int) -> tuple[TurningPoint, ...] | None:
     """The points in m and s; None if the digits known do not decide the rounding."""
     with ctx.workprec(bits_for(found.digits, 64)):
-        omega, frame = oscillator.omega_0(), frame_of(oscillator)
         # With v0 the route counts in amplitudes of turning point 0, whose size has digits of its own: an interval of
         # half a unit of the last of them, as every printed digit is read back.
         length = (
             oscillator.x0.ball() if found.first is None else oscillator.length() * ball_of(found.first["amplitude"])
         )
-        points, exact = [], _exact_places(oscillator)
-        for p in found.points:
-            unit = arb(-1 if p.x.startswith("-") else 1)  # of point 0, with its sign
-            # Exact places first: a rational x_n may be a tie between two decimals, or 0, and no ball tells either.
-            # Otherwise p.x is 1 exactly at n = 0, and elsewhere a ball that its digits leave.
-            x = decimal_of(exact(p.n) or (unit if p.n == 0 else ball_of(p.x)) * length, digits)
-            t = None if p.time is None else "0" if p.n == 0 else decimal_of_ball(ball_of(p.time) / omega, digits)
-            # Not decided: the attempt is made again with more digits, for all points, since each is checked here again.
-            if x is None or (t is None and p.time is not None):
-                return None
-            points.append(TurningPoint(p.n, x, t, found.certified, frame))
+        return _carried(oscillator, found, length, oscillator.omega_0(), digits)
+
+
+def _carried(
+    oscillator: Oscillator, found: TurningPoints, length: arb, omega: arb, digits: int
+) -> tuple[TurningPoint, ...] | None:
+    """The points times ``length``, the times by ``omega``, at the current precision; None if a rounding is open."""
+    points, exact, frame = [], _exact_places(oscillator), frame_of(oscillator)
+    for p in found.points:
+        unit = arb(-1 if p.x.startswith("-") else 1)  # of point 0, with its sign
+        # Exact places first: a rational x_n may be a tie between two decimals, or 0, and no ball tells either.
+        # Otherwise p.x is 1 exactly at n = 0, and elsewhere a ball that its digits leave.
+        x = decimal_of(exact(p.n) or (unit if p.n == 0 else ball_of(p.x)) * length, digits)
+        t = None if p.time is None else "0" if p.n == 0 else decimal_of_ball(ball_of(p.time) / omega, digits)
+        # Not decided: the attempt is made again with more digits, for all points, since each is checked here again.
+        if x is None or (t is None and p.time is not None):
+            return None
+        points.append(TurningPoint(p.n, x, t, found.certified, frame))
     return tuple(points)
 
 

@@ -22,6 +22,7 @@ from dataclasses import dataclass
 
 from flint import arb
 
+from asymptotics.frames import frame_of
 from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
@@ -71,9 +72,11 @@ def conversions(oscillator: Oscillator, digits: int) -> tuple[Conversion, ...]:
         for n, t in sorted(orders.items())
         if n in _ADDED
     ]
+    frame = frame_of(oscillator)
     for t in losses:
-        definition = f"force C v|v|^(alpha-1), alpha = {t.velocity}"
-        found.append(Conversion("power-law damper", "C", _exact(t.b, digits), f"N (s/m)^{t.velocity}", definition))
+        definition = f"{'torque' if frame.x == 'rad' else 'force'} C v|v|^(alpha-1), alpha = {t.velocity}"
+        unit = frame.unit_of_loss(t.velocity)
+        found.append(Conversion("power-law damper", "C", _exact(t.b, digits), unit, definition))
     return tuple(found)
 
 

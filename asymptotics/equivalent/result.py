@@ -165,7 +165,8 @@ class EquivalentDamping(Rows, Drawn):
 
     def _page(self) -> Page:
         """The value first: Q at the amplitudes; then the formulas and the table."""
-        told = ", ".join(f"{(m.motion or m.first).Q or m.first.Q} at {m.amplitude}" for m in self.rows[:4])
+        unit = f" {self._unit('amplitude')}".rstrip()
+        told = ", ".join(f"{(m.motion or m.first).Q or m.first.Q} at {m.amplitude}{unit}" for m in self.rows[:4])
         title = f"Q = {told}" if told else f"Q = {self.formulas['Q']}"
         law = "x'|x'|^(alpha-1)" if self.oscillator is None else str(self.oscillator.law)
         worth = "; ".join(dict.fromkeys(m.guarantee for row in self.rows for m in row.parts.values()))

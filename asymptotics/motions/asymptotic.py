@@ -39,7 +39,7 @@ import numpy as np
 from flint import acb, arb
 
 from asymptotics.errors import InputError, LimitError
-from asymptotics.frames import frame_of
+from asymptotics.frames import Frame, frame_of
 from asymptotics.gauges import TURNING_POINT, require_gauge
 from asymptotics.law import Oscillator
 from asymptotics.motions.admission import local_strength, require_served
@@ -47,7 +47,7 @@ from asymptotics.motions.certify import half_unit
 from asymptotics.motions.doubles import Doubles
 from asymptotics.motions.point import MotionPoint
 from asymptotics.motions.result import MotionSamples
-from asymptotics.motions.stopping import LastSwing, friction_arc, last_swing
+from asymptotics.motions.stopping import LastSwing, friction, friction_arc, last_swing
 from asymptotics.motions.truncation import State, Truncation
 from asymptotics.numbers.context import cached_property, ctx
 from asymptotics.numbers.decimals import bits_for, decimal_of_ball
@@ -59,6 +59,7 @@ SMALL = 1
 METHOD = "asymptotic expansion"
 # Bits beyond the digits for what midpoints lose, which no ball records: 16 more for each order are added below.
 _GUARD = 64
+_TIE_BITS = 240
 # Far beyond any unit, and well inside the doubles of the tables, their powers of the order included.
 _LARGEST = arb(10) ** 100
 # From there on neighbouring doubles are a radian or more apart.
@@ -75,16 +76,22 @@ class AsymptoticMotion:
     oscillator: Oscillator
     order: int
     gauge: str
+    frame: Frame
 
     @classmethod
-    def of(cls, oscillator: Oscillator, order: int = 3, gauge: str = TURNING_POINT) -> "AsymptoticMotion":
-        """Check the input; InputError for an unknown gauge, an order out of range, anti-damping."""
+    def of(
+        cls, oscillator: Oscillator, order: int = 3, gauge: str = TURNING_POINT, frame: Frame | None = None
+    ) -> "AsymptoticMotion":
+        """Check the input; InputError for an unknown gauge, an order out of range, anti-damping.
+
+        ``frame``: what times are told in, by default the units of the oscillator.
+        """
         require_gauge(gauge)
         order = exact_integer(order, "order", 1, MAX_ORDER)
         oscillator.law.require_dissipative("amplitude that falls")
         _require_sizes(oscillator)
         require_served(oscillator, order)
-        return cls(oscillator, order, gauge)
+        return cls(oscillator, order, gauge, frame_of(oscillator) if frame is None else frame)
 
     def at(self, t: Number, digits: int = 30) -> MotionPoint:
         """The motion at the time t >= 0 (exact number, s), each value to ``digits`` significant digits.
@@ -98,7 +105,7 @@ class AsymptoticMotion:
             # The size decides the precision, so it is found first, in few bits.
             size = (moment.ball() * self.oscillator.omega_0()).mid()
         if size > _LARGEST:
-            raise LimitError("time", f"{moment} s is too many swings", "omega_0 t <= 1e100")
+            raise LimitError("time", f"{self.frame.told_time(moment)} is too many swings", "omega_0 t <= 1e100")
         swings = int(float((size + 1).log()) / log(2))  # bits that the whole turns of the phase take
         with ctx.workprec(bits_for(digits, _GUARD) + 16 * self.order + swings):
             return self._point((moment.ball() * self.oscillator.omega_0()).mid(), digits)
@@ -109,7 +116,7 @@ class AsymptoticMotion:
         omega, length = (float(x) for x in (self.oscillator.omega_0(), self.oscillator.length()))
         columns = self._doubles.evaluate(flat)
         latest = float(flat.max(initial=0.0))
-        last, extinction = last_swing(self._doubles, latest), self._doubles.slow(latest).extinction
+        last, extinction = self._last(latest), self._doubles.slow(latest).extinction
         if last is not None:
             # Friction ends the motion, and not the averaged law: what comes after the last half-swing is no fictitious
             # time.
@@ -118,12 +125,12 @@ class AsymptoticMotion:
         columns *= np.array([length, length * omega, length, 1.0])[:, None]
         columns[:, missing.ravel()] = np.nan
         x, v, a, phi = columns.reshape((4, *times.shape))
-        notes = (*self.oscillator.law.notes, *_notes(int(missing.sum()), int(gone.sum()), extinction / omega))
+        notes = (*self.oscillator.law.notes, *self._notes(int(missing.sum()), int(gone.sum()), extinction / omega))
         if last is not None and np.any(flat >= last.end):
             notes = (*notes, self._held_note(last))
         end = extinction / omega if np.isfinite(extinction) else None
         lost = int(missing.sum()), int(gone.sum())
-        return MotionSamples(times, x, v, a, phi, self.order, self.gauge, *lost, end, notes, frame_of(self.oscillator))
+        return MotionSamples(times, x, v, a, phi, self.order, self.gauge, *lost, end, notes, self.frame)
 
     def phases(self, t: Array) -> Array:
         """phi of the slow flow at an array of times t >= 0 in s, which knows no end by friction; doubles."""
@@ -135,7 +142,8 @@ class AsymptoticMotion:
         times, missing = _times(t)
         omega, flat = float(self.oscillator.omega_0()), np.where(missing, 0.0, times).ravel()
         if flat.max(initial=0.0) > _NO_PHASE / omega:
-            raise InputError("time", f"{flat.max():g} s: a double has no phase there", "omega_0 t < 2^53, or at(t)")
+            latest = self.frame.told_time(f"{flat.max():g}")
+            raise InputError("time", f"{latest}: a double has no phase there", "omega_0 t < 2^53, or at(t)")
         return times, missing, flat * omega
 
     def double_errors(self, t: Array) -> dict[str, Array]:
@@ -146,8 +154,35 @@ class AsymptoticMotion:
             zip(("x", "v", "amplitude", "phase"), rows * np.array([length, length * omega, length, 1.0])[:, None])
         )
 
+    def _last(self, latest: float) -> LastSwing | None:
+        """How the motion ends before ``latest``; where doubles do not tell whether friction just holds, by balls."""
+        last = last_swing(self._doubles, latest)
+        if last is None or last.turn is None or not last.is_close(friction(self._doubles.frame)):
+            return last
+        with ctx.workprec(_TIE_BITS):
+            frame = Truncation.of(self.oscillator, self.order, self.gauge)
+            begin, state = frame.turning_point(last.turn, arb(last.begin), frame.start(self._doubles.guess))
+            if state is None:
+                return last
+            place = state.point(frame).real.mid()
+            beyond = (abs(place) - frame.reach).mid()
+            # Equal to half of the bits: a tie, of numbers that make one.
+            beyond = arb(0) if abs(beyond) < arb(2) ** (-_TIE_BITS // 2) else beyond
+        return last.decided(float(begin), float(place), float(beyond))
+
     def _held_note(self, last: LastSwing) -> str:
-        return f"dry friction holds the mass from {last.end / float(self.oscillator.omega_0()):.6g} s on"
+        end = self.frame.told_time(f"{last.end / float(self.oscillator.omega_0()):.6g}")
+        return f"dry friction holds the mass from {end} on"
+
+    def _notes(self, missing: int, extinct: int, end: float) -> tuple[str, ...]:
+        notes = [f"NaN times: {missing}; NaN is kept in their places"] if missing else []
+        if extinct:
+            moment = self.frame.told_time(f"{end:.6g}")
+            notes.append(
+                f"times beyond the fictitious extinction time {moment} of the averaged law: {extinct}; x = v = 0 there,"
+                " while the true motion sticks or creeps"
+            )
+        return tuple(notes)
 
     @cached_property
     def _doubles(self) -> Doubles:
@@ -157,7 +192,7 @@ class AsymptoticMotion:
     def _point(self, tau: arb, digits: int) -> MotionPoint:
         frame = Truncation.of(self.oscillator, self.order, self.gauge)
         start = frame.start(self._doubles.guess)
-        last = last_swing(self._doubles, float(tau))
+        last = self._last(float(tau))
         if last is not None and float(tau) >= last.begin:
             return self._ended(tau, frame, start, last, digits)
         # None: the averaged amplitude of a law with alpha < 1 has vanished before.
@@ -165,7 +200,7 @@ class AsymptoticMotion:
         if state is None:
             with ctx.workprec(120):
                 end = self._doubles.slow(float(tau)).extinction / float(self.oscillator.omega_0())
-            return self._shown([arb(0)] * 3, None, arb(1), _notes(0, 1, end), digits)
+            return self._shown([arb(0)] * 3, None, arb(1), self._notes(0, 1, end), digits)
         if state.s > _FAINTEST:
             size = f"the amplitude is e^-{float(state.s):.3g} of its unit there"
             raise LimitError("time", size, f"amplitudes above e^-{_FAINTEST}")
@@ -210,7 +245,7 @@ class AsymptoticMotion:
         shown = None if phase is None else decimal_of_ball(phase.mid(), digits) or "0"
         notes = (*oscillator.law.notes, *notes)
         worth = (self.order, self.gauge, METHOD, error, False)
-        return MotionPoint(x, v, amplitude, shown, *worth, notes, frame_of(oscillator))
+        return MotionPoint(x, v, amplitude, shown, *worth, notes, self.frame)
 
     def _estimate(self, tau: arb, frame: Truncation, start: State, state: State) -> arb:
         """2 A (|change of ln A| + |change of psi| + |next terms of the waveform|), the change from N to N + 2."""
@@ -257,15 +292,3 @@ def _require_time(negative: bool, shown: str) -> None:
     if negative:
         reason = f"{shown} is not a time after the start: the state is given at t = 0, and backwards damping is driving"
         raise InputError("time", reason, "a time >= 0, in s, of a law alone in 1/omega_0")
-
-
-def _notes(missing: int, extinct: int, end: float) -> tuple[str, ...]:
-    notes = []
-    if missing:
-        notes.append(f"NaN times: {missing}; NaN is kept in their places")
-    if extinct:
-        notes.append(
-            f"times beyond the fictitious extinction time {end:.6g} s of the averaged law: {extinct}; x = v = 0 there,"
-            " while the true motion sticks or creeps"
-        )
-    return tuple(notes)

@@ -13,7 +13,7 @@ import numpy as np
 from asymptotics.frames import BARE, Frame
 from asymptotics.numbers.alike import Alike
 from asymptotics.present.drawn import Drawn
-from asymptotics.present.inputs import csv_text
+from asymptotics.present.inputs import OF_EXPANSION, csv_text, option_words, with_words
 from asymptotics.present.shown import Page, Rows
 
 Array = Any
@@ -61,7 +61,8 @@ class MotionSamples(Alike, Rows, Drawn):
 
     def _page(self) -> Page:
         rows = [tuple(f"{x:.10g}" for x in row) for row in zip(*(np.ravel(c) for c in self.columns().values()))]
-        end = () if self.extinction is None else (f"the averaged amplitude is 0 from t = {self.extinction:.6g} s on",)
+        t = self.frame.with_unit("t", f"{self.extinction:.6g}") if self.extinction is not None else ""
+        end = (f"the averaged amplitude is 0 from {self.frame.time} = {t} on",) if t else ()
         return Page(repr(self), ("estimates, in doubles", *end, *self.notes), tuple(self.header()), tuple(rows))
 
     def _formula(self) -> str:
@@ -69,9 +70,13 @@ class MotionSamples(Alike, Rows, Drawn):
         return rf"x(t_{{1}}),\ \ldots,\ x(t_{{{n}}})\ \text{{of {kind}}}"
 
     def to_csv(self) -> str:
-        """CSV text: one row for each time, units in the header, shortest exact decimals; last, what code made it."""
+        """CSV text: one row for each time, units in the header, shortest exact decimals; last, what code made it.
+
+        Beside that, order and gauge, of which amplitude and phase are.
+        """
         rows = zip(*(np.ravel(column) for column in self.columns().values()))
-        return csv_text(self.header(), ([repr(float(x)) for x in row] for row in rows))
+        text = csv_text(self.header(), ([repr(float(x)) for x in row] for row in rows))
+        return with_words(text, option_words({name: getattr(self, name) for name in OF_EXPANSION}))
 
     def __repr__(self) -> str:
         kind = "reference" if self.order is None else f"order {self.order}, gauge {self.gauge}"

@@ -34,6 +34,8 @@ Array = Any
 # Three half-swings more of the table for each try: the stop may lie beyond the time asked for, and must be known to
 # tell an arc from a swing.
 _STEP, _TRIES = 10.0, 60
+_CLOSE = 1e-7
+"""The amplitudes of the tables are good to a few 1e-9; what is nearer than this to a tie is decided in balls."""
 
 
 class FlowInDoubles(Protocol):
@@ -78,6 +80,26 @@ class LastSwing:
         if radius <= 0 or (not state[1] and abs(state[0]) <= centre):
             return cls(begin, begin, side, centre, 0.0, 0.0, state[0], turn)
         return cls(begin, begin + pi - beta, side, centre, radius, beta, side * (centre - radius), turn)
+
+    def is_close(self, reach: float) -> bool:
+        """Whether the turning point at ``begin`` is as far out as friction holds, as far as the tables in doubles know.
+
+        >>> LastSwing(9.4, 12.6, -1.0, 0.2, 4e-10, 0.0, -0.2, 3).is_close(0.2)
+        True
+        """
+        size = self.centre + self.radius if self.radius else abs(self.hold)
+        return abs(size - reach) < _CLOSE
+
+    def decided(self, begin: float, place: float, beyond: float) -> "LastSwing":
+        """The same where |x| is ``beyond`` what friction holds at the turning point at ``begin``.
+
+        >>> LastSwing(9.4, 12.6, -1.0, 0.2, 4e-10, 0.0, -0.2, 3).decided(9.42, -0.2, 0.0).end
+        9.42
+        """
+        if beyond <= 0:
+            return LastSwing(begin, begin, 1.0, 0.0, 0.0, 0.0, place, self.turn, self.doubt)
+        side, centre = (1.0 if place > 0 else -1.0), abs(place) - beyond
+        return LastSwing(begin, begin + pi, side, centre, beyond, 0.0, side * (centre - beyond), self.turn, self.doubt)
 
     def at(self, tau: Array) -> tuple[Array, Array]:
         """(X, X') from ``begin`` on."""

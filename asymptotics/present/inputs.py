@@ -20,6 +20,8 @@ INPUTS = ("alpha", "epsilon", "law", "spring", "damping", "mass", "stiffness", "
 """The options that make an oscillator."""
 MOVED_BY = (*INPUTS, "static")
 """Those that make a motion: a static friction belongs to no oscillator, and holds the mass where it turns."""
+OF_EXPANSION = ("order", "gauge")
+"""Those of an expansion: its amplitude and phase are told by them, and no motion is moved by them."""
 DOUBLE_ERROR = "--double-error="
 # Characters of a first line that are read: a header is shorter, and a file without line ends must not fill the memory.
 _LONG = 100_000
@@ -105,8 +107,10 @@ def stated_inputs(path: Path) -> dict[str, str | list[str]]:
     inputs: dict[str, str | list[str]] = {}
     for name, equals, value in (word.removeprefix("--").partition("=") for word in stated_words(path)):
         # One word from outside the list, and the header is that of a request or of another program: none of it is used.
-        if not equals or name not in MOVED_BY:
+        if not equals or name not in (*MOVED_BY, *OF_EXPANSION):
             return {}
+        if name in OF_EXPANSION:
+            continue
         if name in ("law", "spring"):
             inputs[name] = [*inputs.get(name, []), value]
         else:

@@ -15,7 +15,7 @@ from typing import Any
 from flint import arb
 
 from asymptotics.errors import AbsentError, InputError, shown
-from asymptotics.frames import BARE, Frame, frame_of
+from asymptotics.frames import BARE, STRENGTHS, Frame, frame_of
 from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball, rational_decimal
 from asymptotics.numbers.digits import spread
@@ -29,12 +29,22 @@ from asymptotics.present.shown import Page, Rows, Shown
 Number = Fraction | ExactReal | arb | Callable[[], arb | ExactReal]
 """An exact number, a ball at the current precision, or a function that gives one of these at any precision."""
 _SPARE = 40  # bits added to what a rounding lacks, so that the next attempt is the last one
+_ENDS = {
+    "sticks": "sticks there", "creeps": "creeps from there on", "overdamped": "is overdamped",
+    "rotates": "goes over the top and rotates", "escapes": "leaves its well and escapes",
+}  # fmt: skip
+
+
+def _place_in(unit: str) -> str:
+    if unit == STRENGTHS:
+        return rf"x_n\ \text{{({unit})}}"
+    return rf"x_n/\mathrm{{{unit}}}" if unit else "x_n"
 
 
 def _letters(frame: Frame) -> dict[str, str]:
     if not frame.t:
-        units, time = "units of the start", {r"\tau": "its time omega_0 t since turning point 0"}
-        return {"x": f"place of turning point n, in {units}"} | time
+        time = {r"\tau": "its time omega_0 t since turning point 0"}
+        return {"x": f"place of turning point n, in {frame.x or 'units of the start'}"} | time
     return {"x": f"place of turning point n in {frame.x}", "t": f"its time in {frame.t} since turning point 0"}
 
 
@@ -42,9 +52,9 @@ def _letters(frame: Frame) -> dict[str, str]:
 class TurningPoint(Shown):
     """The n-th turning point: x in the unit of its frame with its sign, the time since n = 0 (None if not asked for).
 
-    Without units x is in units of x0 and the time is ``tau`` = omega_0 t; of an oscillator x is in m (rad of a
-    pendulum) and the time is ``t`` in s.  ``certified``: its digits are proved to be the correct rounding; only
-    `proved_point` says so.
+    Without units x is in units of x0, or in what its frame says, and the time is ``tau`` = omega_0 t; of an oscillator
+    x is in m (rad of a pendulum) and the time is ``t`` in s.  ``certified``: its digits are proved to be the correct
+    rounding; only `proved_point` says so.
     """
 
     n: int
@@ -71,7 +81,7 @@ class TurningPoint(Shown):
 
     @property
     def unit(self) -> str:
-        """The unit of x, which is m, rad or none."""
+        """The unit of x: m, rad, that of the strengths, or none where it is the start."""
         return self.frame.x
 
     def number(self, name: str = "x") -> Coefficient:
@@ -155,8 +165,8 @@ class TurningPoints(Sequenced, Rows, Drawn):
     """Consecutive turning points; all digits are correctly rounded if ``certified``, which every point must be.
 
     ``ended``: the number of the last turning point there is and why, or None; ``method``: the route, in words.
-    ``first``: for a start in motion, amplitude and time of turning point 0, in units of x0 and of 1/omega_0; then x is
-    in units of that amplitude, and tau counts from there.
+    ``first``: for a start in motion, amplitude and time of turning point 0, from where tau counts; x of a route is in
+    units of that amplitude, and of a motion in what x0 is in.
     ``oscillator``: whose units they are in, None for a law alone; ``dimensionless``: the points without units that they
     come from, which say how they were obtained.
     """
@@ -183,13 +193,33 @@ class TurningPoints(Sequenced, Rows, Drawn):
 
     @property
     def unit(self) -> str:
-        """The unit of x, which is m, rad for a pendulum, and none of a law alone."""
+        """The unit of x: m, rad for a pendulum, that of the strengths, or none where it is the start."""
         return self.frame.x
 
     @property
     def timed(self) -> bool:
         """Whether times were asked for."""
         return any(p.time is not None for p in self.points)
+
+    @property
+    def told_end(self) -> str:
+        """The last turning point and why, in a line; empty where there is none.
+
+        >>> TurningPoints("0", "1/3", 4, (), "by hand", ended={"n": 3, "reason": "sticks"}).told_end
+        'ended: turning point 3 is the last: the motion sticks there'
+        """
+        if self.ended is None:
+            return ""
+        last, reason = self.ended["n"], self.ended["reason"]
+        where = f"turning point {last} is the last" if last >= 0 else "there is no turning point"
+        where += " in the well" if reason in ("rotates", "escapes") else ""
+        return f"ended: {where}: the motion {_ENDS[reason]}"
+
+    @property
+    def told_first(self) -> str:
+        """Amplitude and time of turning point 0 of a start in motion, in a line; empty from rest."""
+        line = "turning point 0 has the amplitude {amplitude}, at tau = {tau}"
+        return "" if self.first is None else line.format_map(self.first)
 
     def named_columns(self) -> tuple[list[str], list[tuple[Any, ...]]]:
         """n, x and the time: the names with their units, and the rows."""
@@ -214,14 +244,15 @@ class TurningPoints(Sequenced, Rows, Drawn):
             f"{p.n}  {frame.with_unit('x', p.x)}" + ("" if p.time is None else f"  {frame.with_unit('t', p.time)}")
             for p in self.points
         ]
-        lines += [f"ended: {self.ended}"] if self.ended else []
+        lines += [self.told_end] if self.ended else []
         return "\n".join([*lines, f"certified: {str(self.certified).lower()} ({self.method})"])
 
     def _page(self) -> Page:
         head, rows = self.named_columns()
         shown = 3 if self.timed else 2
         worth = f"{'certified' if self.certified else 'not certified'}, {self.digits} digits ({self.method})"
-        end = () if self.ended is None else (f"ended: {self.ended}",)
+        end: tuple[str, ...] = (self.told_first,) if self.first is not None else ()
+        end += (self.told_end,) if self.ended is not None else ()
         what = f" of {self.oscillator}" if self.oscillator else f", alpha = {self.alpha}, epsilon = {self.epsilon}"
         title = f"{len(rows)} turning points{what}"
         return Page(title, (worth, *end, *self.notes), tuple(head[:shown]), tuple(row[:shown] for row in rows))
@@ -243,7 +274,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
     def _formula(self) -> str:
         rows = r" \\ ".join(f"{p.n} & {p.x}" + ("" if p.time is None else f" & {p.time}") for p in self.points)
         time = r"t_n/\mathrm{s}" if self.frame.t else r"\tau_n"
-        head = rf"n & x_n/\mathrm{{{self.unit}}}" if self.unit else "n & x_n"
+        head = f"n & {_place_in(self.unit)}"
         head, columns = (f"{head} & {time}", "rll") if self.timed else (head, "rl")
         return rf"\begin{{array}}{{{columns}}} {head} \\ {rows} \end{{array}}"
 

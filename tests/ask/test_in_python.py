@@ -32,6 +32,7 @@ WRONG = {  # each failed before: FILE, NAME, --bound, --columns, --alpha A, --la
     "reference and bound": lambda: motion_at(OSC, 7, reference=True, bound=True),
     "a bound without a time": lambda: solution_at(OSC, bound=True),
     "squaring and order": lambda: envelope_at(OSC, 3, squaring=True, order=3),
+    "an option of another command": lambda: asy.sweep_command("moment", {"x": "1"}, "nowhere"),
     "a phase of a symbol": lambda: derived("symbolic", phase=1),
 }
 

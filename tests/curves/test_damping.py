@@ -192,3 +192,13 @@ def test_what_is_not_asked_for_is_twelve_digits_and_the_motion_and_no_series():
     (row,) = plain.rows
     assert row.motion is not None and row.expanded is None
     assert float(row.motion.period) == pytest.approx(2 * np.pi / np.sqrt(1 - 0.0025), rel=1e-11)
+
+
+def test_conversions_of_a_pendulum_are_torques_and_the_title_has_the_unit_of_its_amplitudes():
+    pendulum = asy.Oscillator({2: "1/10", 1: "1/5"}, mass=2, stiffness=3, spring="pendulum")
+    units = {c.definition: c.unit for c in asy.damping(pendulum).conversions() if c.name == "C"}
+    assert list(units.values()) == ["N m (s/rad)^2", "N m s"] and all("torque" in told for told in units)
+    mass = asy.Oscillator({2: "1/10", 1: "1/5"}, mass=2, stiffness=3)
+    assert [c.unit for c in asy.damping(mass).conversions() if c.name == "C"] == ["N (s/m)^2", "N s/m"]
+    assert asy.damping(mass, amplitudes=[1])._page().title.endswith("at 1 m")
+    assert asy.damping({2: "1/10"}, amplitudes=[1])._page().title.endswith("at 1")

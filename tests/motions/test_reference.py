@@ -6,6 +6,7 @@ import pytest
 from flint import arb, ctx
 from scipy.integrate import solve_ivp
 
+import asymptotics as asy
 from asymptotics.errors import InputError, LimitError
 from asymptotics.flow.damping import Damping
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
@@ -183,3 +184,10 @@ def test_extreme_numbers_are_answered_or_refused_at_once():
     assert reference_motion(oscillator(("3/2", "1e-300")), "30", 20).x == "0.15425144988758405072"  # cos 30
     with pytest.raises(LimitError, match="halved"):
         reference_motion(oscillator(("1", "1/3")), "1e400", 10)
+
+
+def test_a_reference_names_its_static_friction():
+    mass = asy.Oscillator({0: "1/10"}, mass=2)
+    held, free = asy.reference(mass, static="1/5"), asy.reference(mass)
+    for told in (repr, str, lambda r: r._heading(), lambda r: r._page().title, lambda r: r._repr_html_()):
+        assert "static friction 1/5 N" in told(held) and "static" not in told(free)

@@ -1,11 +1,14 @@
 """How a motion comes to rest: the arc of friction alone, from a turning point or from the start."""
 
+from decimal import Decimal
+from fractions import Fraction
 from math import hypot, pi
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+import asymptotics as asy
 from asymptotics.motions.stopping import LastSwing, _arc_from, arc
 
 REACH = 0.3
@@ -60,3 +63,31 @@ def test_an_arc_passes_through_its_state_and_slides_against_friction(state):
 def test_at_rest_within_the_reach_of_friction_the_mass_stays(place):
     swing = LastSwing.of(2.0, (place, 0.0), REACH, 5)
     assert (swing.begin, swing.end, swing.hold, swing.radius, swing.turn) == (2.0, 2.0, place, 0.0, 5)
+
+
+def test_notes_tell_times_in_the_frame_of_the_law():
+    """A law alone has no seconds."""
+    for law, seconds, bare in (
+        ({0: "1/10", 2: "1/10"}, "mass from 12.5727 s on", "mass from tau = 12.5727 on"),
+        ({"1/2": "1/5"}, "extinction time 17.9721 s of", "extinction time tau = 17.9721 of"),
+    ):
+        for given, told in ((asy.Oscillator(law), seconds), (law, bare)):
+            motion = asy.motion(given, order=2)
+            for notes in (motion.at(30).notes, motion.sample([30.0]).notes):
+                assert any(told in note for note in notes), notes
+
+
+@pytest.mark.parametrize("order", [1, 2, 4])
+@pytest.mark.parametrize(("strength", "held"), [("1/7", 3), ("1/3", 1), ("1/5", 2), ("1/27", 13), ("1/51", 25)])
+def test_a_tie_of_dry_friction_is_held_where_it_is(strength, held, order):
+    """x_n = (-1)^n (1 - 2 n/7) is 1/7 = eps_0 at n = 3; the least bit less friction, and it swings once more."""
+    for less, turn in ((Fraction(0), held), (Fraction(1, 10**10), held + 1)):
+        b = Fraction(strength) - less
+        motion = asy.motion({0: b}, order=order)
+        exact = asy.reference({0: b})
+        end = f"mass from tau = {turn * pi:.6g} on"
+        assert any(end in note for note in motion.sample([200.0]).notes)
+        point, truth = motion.at(200, digits=20), exact.at(200, digits=20)
+        assert any(end in note for note in point.notes)
+        if order > 1:
+            assert abs(Decimal(point.x) - Decimal(truth.x)) <= Decimal(point.error)

@@ -53,3 +53,22 @@ def test_a_zero_term_beside_dry_friction_changes_no_row(capsys, tmp_path):
         texts.append(path.read_text().splitlines()[1:])
     assert texts[0] == texts[1]
     assert float(texts[0][-1].split(",")[1]) == pytest.approx(-0.4)  # x_3 = -(1 - 6/10), the first within 1/2
+
+
+def test_a_table_of_an_expansion_says_its_order_and_gauge_and_is_read_back(capsys, tmp_path):
+    """Amplitude and phase are those of a gauge and an order; a reference has none."""
+    path = tmp_path / "motion.csv"
+    line = f"motion --law 2:1/10 --mass 2 --time 7 --points 5 --csv {path}"
+    assert run(capsys, f"{line} --order 2 --gauge averaging")[0] == 0
+    assert "--order=2 --gauge=averaging" in path.read_text().splitlines()[0]
+    code, out, _ = run(capsys, f"compare {path}")
+    assert code == 0 and "2 x'' + x + 1/10 x'|x'| = 0" in out and "amplitude (of a gauge and an order)" in out
+    assert run(capsys, f"{line} --reference")[0] == 0
+    head = path.read_text().splitlines()[0]
+    assert "--order" not in head and "--gauge" not in head
+
+
+def test_a_uniform_bound_has_the_units_of_its_motion(capsys):
+    for law, x, v in (("--damping 1/10", "0.00014 m,", "0.0014 m/s for"), ("--epsilon 1/10", "0.00014,", "0.0014 for")):
+        told = run(capsys, f"motion --alpha 2 {law} --time 7 --order 2 --bound")[1]
+        assert f"|x - x_2| <= {x} |x' - x'_2| <= {v} every t >= 0" in told

@@ -1,7 +1,7 @@
 """x(t) and v(t) at a chosen order, or exact and high-precision reference motion."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, Any, cast
 
 from asymptotics.ask.answers import Again, Offers, Request
@@ -264,6 +264,7 @@ def motion_at(
     # Of the x that is printed, rounded as it is: the two stand side by side.
     proved = proved_bound(oscillator, point.x, moment, max_seconds=seconds) if bound else None
     always = _uniform(oscillator, point, moment) if bound else None
+    always = None if always is None else replace(always, frame=frame)
     return MotionAtTime(point, curve, proved, always, _best_order(oscillator, best_order, seconds))
 
 

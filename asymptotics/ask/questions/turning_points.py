@@ -12,6 +12,7 @@ from asymptotics.curves.turning_points import (
     MotionTurningPoints,
     dimensionless,
     of_motion,
+    started_in_motion,
     turning_points_in_units,
     with_notes,
     without_units,
@@ -48,28 +49,14 @@ def _columns(rows: list[tuple[str, ...]], align: Any) -> str:
     return "\n".join("  ".join(align(cell, width) for cell, width in zip(row, widths)).rstrip() for row in rows)
 
 
-_HEADS = {"x0": "", "rad": "x [rad]", "strengths": "x [units of the strengths]"}
-_ENDS = {
-    "sticks": "sticks there", "creeps": "creeps from there on", "overdamped": "is overdamped",
-    "rotates": "goes over the top and rotates", "escapes": "leaves its well and escapes",
-}  # fmt: skip
-
-
 def _text(found: Any, request: Request) -> str:
     if isinstance(found, Routes) or found.oscillator is not None:
         return str(found)
-    unit = cast("Given", request["law"]).x_unit
     rows = [(str(p.n), p.x) + (() if p.time is None else (p.time,)) for p in found.points]
-    if _HEADS[unit] and rows:
-        rows.insert(0, ("n", _HEADS[unit], "tau")[: len(rows[0])])
+    if found.unit and rows:
+        rows.insert(0, tuple(found.named_columns()[0][: len(rows[0])]))
     lines = [_columns(rows, str.rjust)] if rows else []
-    if found.first is not None:
-        lines.append("turning point 0 has the amplitude {amplitude}, at tau = {tau}".format_map(found.first))
-    if found.ended is not None:
-        last, reason = found.ended["n"], found.ended["reason"]
-        where = f"turning point {last} is the last" if last >= 0 else "there is no turning point"
-        where += " in the well" if reason in ("rotates", "escapes") else ""
-        lines.append(f"ended: {where}: the motion {_ENDS[reason]}")
+    lines += [line for line in (found.told_first, found.told_end) if line]
     return "\n".join([*lines, f"certified: {str(found.certified).lower()} ({found.method})"])
 
 
@@ -78,14 +65,11 @@ def _data(found: Any, request: Request) -> dict[str, Any]:
     if isinstance(found, Routes):
         return data
     moving = cast("Given", request["law"])
-    return data | {"units": moving.frame.units, "x_unit": moving.x_unit}
+    return data | {"units": moving.frame.units, "x_unit": found.x_unit}
 
 
 def _csv(found: TurningPoints, request: Request) -> str:
-    head, rows = found.named_columns()
-    if found.oscillator is None:
-        head[1] = _HEADS[cast("Given", request["law"]).x_unit] or "x"
-    return csv_text(head, rows)
+    return csv_text(*found.named_columns())
 
 
 def _missing(found: TurningPoints, request: Request) -> tuple[int, str]:
@@ -149,8 +133,8 @@ def turning_points(
     With --x0 the motion starts at X(0) = x0 (beside a spring: inside the well) and x is not divided by it: it is in the
     units in which the strengths are given, rad for a pendulum, and point 0 is x0 itself.  A header above the points
     says so, and `x_unit` in JSON: "x0", "m", "rad" or "strengths".  With --v0 (an oscillator with v0 != 0) n = 0 is
-    the first turning point after the start, where the time counts from, and without units x counts in its amplitude,
-    which is told below.
+    the first turning point after the start, where the time counts from; x is in what x0 is in, and without units
+    amplitude and time of that point are told below.
 
     The cheapest route is taken; --route NAME takes another one, and --route help lists them with what each would cost.
 
@@ -206,13 +190,14 @@ def _points(moving: Given, count: int, **rest: Any) -> MotionTurningPoints:
     with changed(told):
         if moving.frame:
             return told(turning_points_in_units(oscillator, count, **rest))
+        if not oscillator.v0.is_zero:
+            return told(started_in_motion(oscillator, count, **rest))
         # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths
         # epsilon_i x0^(alpha_i-1), and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
-        if oscillator.law.is_pure and oscillator.v0.is_zero and oscillator.x0 != 1:
+        if oscillator.law.is_pure and oscillator.x0 != 1:
             return told(without_units(oscillator, count, **rest))
         law, kick = _bare(oscillator)
-        found = with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick)
-        return told(found)
+        return told(with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick))
 
 
 def _bare(oscillator: Oscillator) -> tuple[Law, dict[str, Any]]:

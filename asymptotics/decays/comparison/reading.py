@@ -62,12 +62,13 @@ def read_sheet(
     known: tuple[str, ...] = QUANTITIES,
     *,
     frame: Frame = BARE,
+    lengths: tuple[str, ...] = (),
     words: tuple[str, ...] = (),
 ) -> Sheet:
     """Read a CSV file, or columns by name; InputError for what is neither, a column that is missing, units that differ.
 
-    The cells of the columns that are used are proved to be numbers here, except those of ``words``, so that nothing is
-    computed for a bad file.
+    ``lengths``: other names of the unit of x.  The cells of the columns that are used are proved to be numbers here,
+    except those of ``words``, so that nothing is computed for a bad file.
     """
     rows, header = rows_of_file(path) if isinstance(path, Path) else _rows_of(path)
     place_of = "FILE line" if isinstance(path, Path) else "row"
@@ -83,7 +84,7 @@ def read_sheet(
     columns = dict(sorted(columns_of(filled, mapping, known).items(), key=lambda pair: pair[1]))
     # Tables have units of their own, which their description says.
     if not words:
-        _require_units({name: units.get(place, "") for name, place in columns.items()}, frame)
+        _require_units({name: units.get(place, "") for name, place in columns.items()}, frame, lengths)
     wanted = max(columns.values())
     for line, cells in rows:
         if len(cells) <= wanted:
@@ -226,10 +227,10 @@ def _names(header: list[str], known: tuple[str, ...]) -> tuple[list[str], dict[i
     return names, units
 
 
-def _require_units(units: dict[str, str], frame: Frame) -> None:
+def _require_units(units: dict[str, str], frame: Frame, lengths: tuple[str, ...]) -> None:
     for name, unit in units.items():
         expected = frame.unit(name) if name in UNITS else ""
-        if unit in ("", "1", expected):
+        if unit in ("", "1", expected) or (name in ("x", "amplitude") and unit in lengths):
             continue
         accepted = f"{name} [{expected}]" if expected else f"{name} without a unit"
         hint = "" if frame or name not in UNITS else "; values in SI need --mass, --stiffness and --x0"

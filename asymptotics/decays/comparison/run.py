@@ -33,7 +33,7 @@ from asymptotics.decays.comparison.quick_look import Look, look_of
 from asymptotics.decays.comparison.reading import Columns, Sheet, as_double, read_sheet
 from asymptotics.decays.comparison.truth import Truth, at_envelope, at_times, at_turning_points, of_its_law
 from asymptotics.errors import InputError, LimitError, UndecidedError
-from asymptotics.frames import Frame
+from asymptotics.frames import STRENGTHS, Frame
 from asymptotics.law import of_unit_start
 from asymptotics.law_given import Given
 from asymptotics.numbers.digits import spread
@@ -180,7 +180,10 @@ def compare_file(
     default four more than the longest value given.  InputError for what the file does not say or says wrongly; an error
     that cuts the work short carries the rows that are done.
     """
-    sheet, left = read_sheet(path, columns, frame=given.frame), list[str]()
+    # With m = k = 1 a place in m and one in the units of the strengths are the same number.
+    bare = given.oscillator.mass == given.oscillator.stiffness == 1
+    lengths = (STRENGTHS,) if given.frame and bare else ()
+    sheet, left = read_sheet(path, columns, frame=given.frame, lengths=lengths), list[str]()
     doubles = stated_errors(path) if isinstance(path, Path) else {}
     key = next((name for name in ("n", "tau", "t") if name in sheet.columns), None)
     # The first of n, tau, t is the key; a time beside n is a value.

@@ -100,8 +100,8 @@ def quantity(name: str) -> str:
     words = [_without_axis(w) for w in re.split(r"[^\w]+|_|\d+", label.lower()) if w]
     found = [_MEANING[w] for w in words if w in _MEANING and (len(w) > 1 or _is_letter_of(w, words))]
     by_unit = _by_unit(unit)
-    # Of a letter alone the unit knows better: A (cm) is no acceleration.
-    if by_unit in _MEASURED.values() and len(label.strip()) == 1 and found and found[0] in _MEASURED.values():
+    # Of a letter alone the unit knows better: A (cm) is no acceleration, x (m/s) no place.
+    if label.strip().lower() in ("a", "v", "x", "y", "z") and by_unit in _MEASURED.values():
         return by_unit
     # A name that is one word of the list as a whole, such as x_value, is cut into no others.
     if label.lower().strip() in _MEANING:
@@ -258,10 +258,10 @@ def _place_of(
     if not found and column in _MEASURED:
         other = {"time", "n", "uncertainty", "force", *_MEASURED.values()} - {_MEASURED[column]}
         found = [i for i in free if said[i] not in other] or [i for i in free if said[i] == "force"]
-    # An axis of a sensor, or else any name without a unit.
-    if not found and column in _MEASURED and told:
+    # An axis of a sensor, or where the kind is said any name without a unit.
+    if not found and column in _MEASURED:
         bare = [i for i in free if not suffix(names[i]) and said[i] not in ("time", "n", "uncertainty")]
-        found = [i for i in bare if _AXIS.fullmatch(names[i])] or bare
+        found = [i for i in bare if _AXIS.fullmatch(names[i]) and column != "x"] or (bare if told else [])
     # One of two columns is taken, so that the other has to be x.
     if column == "x" and not found and len(free) == 1 and len(names) == 2:
         found = free
