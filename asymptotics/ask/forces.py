@@ -41,7 +41,7 @@ FORMS_FROM_0 = REAL_FORMS.replace("-", "", 1)
 class GivenTerms:
     """The terms of a sum, all different, losses before springs, in the order given; ``notes`` says what was merged.
 
-    Strengths that were left out are 1; ``known``: whether all of them were given, and none was merged.
+    Strengths that were left out are 1; ``known``: whether all of them were given, and the merged ones have exact sums.
     """
 
     terms: tuple[Term, ...]
@@ -77,18 +77,21 @@ def read_law(options: argparse.Namespace, strength: str, *, negative: bool = Fal
 
 def read_terms(options: argparse.Namespace) -> GivenTerms:
     """The terms of a command that needs no strengths; they are read, and may be negative or left out."""
-    terms: list[Term] = []
-    notes = []
+    terms: dict[object, Term] = {}
+    notes, known = [], _strengths_given(options)
     for t in (*_losses(options, "epsilon", needed=False, negative=True), *_springs(options, needed=False)):
         # Two strengths before one function of (x, v) are one force: their delta would be the sum, so one index has to
         # do.
-        if t.key in {other.key for other in terms}:
+        if t.key in terms:
             name = f"exponents merged: alpha = {t.velocity}" if t.sign < 0 else f"springs merged: {t.shape()}"
             notes.append(f"equal {name} (its delta is the sum of the strengths)")
-        else:
-            terms.append(t)
+            try:
+                t = terms[t.key].plus(t) if known else terms[t.key]
+            except InputError:  # two roots: their sum is no exact number, and stays a letter
+                t, known = terms[t.key], False
+        terms[t.key] = t
     _require_few(len(terms))
-    return GivenTerms(tuple(terms), tuple(dict.fromkeys(notes)), not notes and _strengths_given(options))
+    return GivenTerms(tuple(terms.values()), tuple(dict.fromkeys(notes)), known)
 
 
 def _strengths_given(options: argparse.Namespace) -> bool:

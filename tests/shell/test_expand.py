@@ -123,3 +123,12 @@ def test_equations_are_printed_without_numpy():
     line = ["expand", "--alpha", "3/2", "--order", "4"]
     found = subprocess.run([sys.executable, "-c", code, *line], capture_output=True, text=True, check=True)
     assert found.stdout.splitlines()[-1] == "set()"
+
+
+def test_strengths_of_merged_terms_are_their_sum_and_the_others_stay(capsys):
+    line = "expand --law 2:1/20 --law 1:1/10 --law 2:1/20 --order 1 --digits 5"
+    out = run(capsys, line)[1]
+    assert "delta_1 = 1/10 A for x'|x'|" in out and "delta_2 = 1/10 for x'" in out and "merged: alpha = 2" in out
+    # Two roots have no exact sum, and what has no strength is a letter.
+    for other in ("2:sqrt(2)", "2"):
+        assert "delta_1 = epsilon_1 A" in run(capsys, f"expand --law 2:sqrt(3) --law 1:1/10 --law {other} --order 1")[1]
