@@ -251,8 +251,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
         head, rows = self.named_columns()
         shown = 3 if self.timed else 2
         worth = f"{'certified' if self.certified else 'not certified'}, {self.digits} digits ({self.method})"
-        end = (self.told_first,) if self.first is not None else ()
-        end += (self.told_end,) if self.ended is not None else ()
+        end = tuple(line for line in (self.told_first, self.told_end) if line)
         what = f" of {self.oscillator}" if self.oscillator else f", alpha = {self.alpha}, epsilon = {self.epsilon}"
         title = f"{len(rows)} turning points{what}"
         return Page(title, (worth, *end, *self.notes), tuple(head[:shown]), tuple(row[:shown] for row in rows))
