@@ -181,7 +181,9 @@ def test_samples_become_tables(osc):
     samples = asy.motion(osc).sample([0.0, 0.5])
     frame = samples.to_dataframe()
     assert list(frame.columns)[:2] == ["t [s]", "x [m]"] and len(frame) == 2
-    assert samples.to_csv().splitlines()[0] == "t [s],x [m],v [m/s],amplitude [m],phase [rad],code"
+    assert samples.to_csv().splitlines()[0] == (
+        "t [s],x [m],v [m/s],amplitude [m],phase [rad],code [--order=3 --gauge=turning-point]"
+    )
     assert asy.reference(osc).sample([0.0]).to_csv().splitlines()[0] == "t [s],x [m],v [m/s],code"
 
 

@@ -57,6 +57,8 @@ def test_an_answer_that_drifts_is_noticed(monkeypatch):
 
 
 class _Estimate:
+    x_unit = "x0"
+
     def to_dict(self):
         return {"certified": False}
 

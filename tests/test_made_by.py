@@ -72,7 +72,11 @@ def test_the_report_on_the_papers_says_it(monkeypatch, capsys):
 
 def test_the_samples_of_a_motion_say_it():
     text = asy.motion({2: "1/10"}).sample([0.0, 1.0]).to_csv()
-    assert [row.rpartition(",")[2] for row in text.splitlines()] == ["code", mark(), mark()]
+    assert [row.rpartition(",")[2] for row in text.splitlines()] == [
+        "code [--order=3 --gauge=turning-point]",
+        mark(),
+        mark(),
+    ]
 
 
 def other_code(monkeypatch, **changes):

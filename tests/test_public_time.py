@@ -33,7 +33,7 @@ QUICK = {  # public methods without a time, and why it is bounded by what they a
     "hands its time on to what checks": {"check"},
     "what is known, of one row or one letter": {
         "axis", "beside", "c", "d", "errors", "law", "lost_digits", "physical", "row", "rows", "strengths",
-        "unit", "unit_of_loss", "with_unit",
+        "told_time", "unit", "unit_of_loss", "with_unit",
     },
     "an interval, and one beside it": {"contains", "stretched", "widened"},
     "draws: what it computes has the time of ``sample``, and a page gives it five seconds": {"plot", "picture"},

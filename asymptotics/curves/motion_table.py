@@ -5,7 +5,7 @@
 >>> from asymptotics.law import Oscillator
 >>> drag = motion(Oscillator({"3/2": "1/10"}))
 >>> motion_table(drag, ExactReal(Fraction(1)), 2).to_csv().splitlines()[:2]
-['t [s],x [m],v [m/s],amplitude [m],phase [rad],code', '0.0,1.0,-0.0,1.0,0.0,sha256:...']
+['t [s],x [m],v [m/s],amplitude [m],phase [rad],code [--order=3 ...]', '0.0,1.0,-0.0,1.0,0.0,sha256:...']
 """
 
 from collections.abc import Mapping, Sequence
