@@ -193,7 +193,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
 
     @property
     def unit(self) -> str:
-        """The unit of x: m, rad for a pendulum, that of the strengths, or none where it is the start."""
+        """The unit of x: m, rad of a pendulum, that of the strengths, or none where it is the start."""
         return self.frame.x
 
     @property

@@ -89,6 +89,12 @@ def _docstring(_app, _what, _name, _found, _options, lines):
     lines[:] = plain(lines)
 
 
+def _property(_app, what, _name, found, _options, lines):
+    """As it is written: napoleon takes "the unit of x: m" of a property for a type and its meaning."""
+    if what == "property":
+        lines[:] = plain((inspect.getdoc(found) or "").split("\n"))
+
+
 def setup(app):
     """Pages are written before Sphinx looks for them, docstrings made markup before napoleon reads their sections."""
     app.setup_extension("sphinx.ext.autodoc")
@@ -96,6 +102,7 @@ def setup(app):
     app.connect("builder-inited", _write)
     app.connect("autodoc-process-signature", _signature)
     app.connect("autodoc-process-docstring", _docstring, priority=400)
+    app.connect("autodoc-process-docstring", _property, priority=600)
     app.setup_extension("sphinx.ext.napoleon")
     app.config.napoleon_google_docstring = False  # "x: what it is" is a sentence here
     return {"parallel_read_safe": True, "parallel_write_safe": True}
