@@ -1,15 +1,18 @@
-"""Every number of every answer at ten digits is the same number at forty, rounded: a digit that is printed is one.
+"""Every number of every answer at 25 digits is the same number at 45, rounded: a digit that is printed is one.
 
+And none is a double written out: such a number has the same wrong digits at 25 and at 45, and shows nothing there.
 An expansion has an error of its own, but its numbers are those of its formula to the last digit.
 """
 
 import json
 import re
+from contextlib import nullcontext
 from fractions import Fraction
 
 import pytest
 
 from asymptotics.ask.registry import QUESTIONS
+from asymptotics.curves import envelope_order
 from asymptotics.shell.main import main
 from tests.every_question import example, in_world, options_of
 
@@ -63,6 +66,14 @@ def wrong(few, many):
             yield path, text, more[path]
 
 
+def doubles(found):
+    """Numbers of many digits that are those of the double next to them, as no other number is but a short one."""
+    for path, text in numbers(found):
+        digits = re.sub(r"e.*|\D", "", text).strip("0")
+        if len(digits) > 25 and abs(Fraction(text) - Fraction(float(text))) <= unit(text):
+            yield path, text
+
+
 @pytest.mark.parametrize(("name", "world", "more"), CASES)
 def test_more_digits_are_the_same_number(capsys, tmp_path, name, world, more):
     words = in_world(name, tmp_path, world) if world else example(name, tmp_path)
@@ -70,11 +81,19 @@ def test_more_digits_are_the_same_number(capsys, tmp_path, name, world, more):
     own = {word.partition("=")[0] for word in more.split()} | {"--digits"}
     words = [w for w, before in zip(words, ["", *words]) if w not in own and (before not in own or w.startswith("--"))]
     found = []
-    for digits in (10, 40):
+    for digits in (25, 45):
         assert main([*words, *more.split(), f"--digits={digits}", "--json"]) == 0
         found.append(json.loads(capsys.readouterr().out, parse_float=no_float))
-    assert not [*wrong(*found)]
+    assert not [*wrong(*found)] and not [*doubles(found[1])]
     assert [*numbers(found[0])]
+
+
+def test_a_double_that_is_written_out_is_noticed(capsys, monkeypatch):
+    """As it was: through mpmath's number at the precision of a double; the true digits are the solution's."""
+    line = "envelope --alpha 2 --epsilon 1/10 --time 7 --order 3 --digits 45 --json"
+    monkeypatch.setattr(envelope_order, "workdps", lambda digits: nullcontext())
+    assert main(line.split()) == 0
+    assert {path for path, _ in doubles(json.loads(capsys.readouterr().out))} >= {".amplitude", ".phase"}
 
 
 def test_a_digit_of_a_double_is_noticed():
