@@ -6,7 +6,7 @@
 ('-0.196506443629', '0.702501924734', 'm')
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
@@ -99,14 +99,22 @@ def turning_points_in_units(
             return None
         return replace(found, digits=digits, points=points, first=None, oscillator=oscillator, dimensionless=found)
 
-    def attempt(bits: int) -> TurningPoints | None:
-        # Points that were done when the time was over are handed out in m and s, as the result would have been.
-        with changed(in_si):
-            found = with_notes(pure, count, int(bits / BITS_PER_DIGIT), start, times, route=route, most=_MOST, **kick)
-        return in_si(found)
+    return _carried_over(in_si, pure, count, digits, start, times, route, kick)
 
-    # The route proves its own digits, so that ``attempt`` passes on bits as a number of digits: what is repeated is the
-    # whole computation with more of them, and only where the product with the unit is undecided.
+
+def _carried_over(
+    carry: Callable[[TurningPoints], TurningPoints | None],
+    law: Law, count: int, digits: int, start: int, times: bool, route: str | None, kick: Mapping[str, ExactReal],
+) -> TurningPoints:  # fmt: skip
+    """The points of a law, carried over to other units; with more digits where a product with the unit is undecided."""
+
+    def attempt(bits: int) -> TurningPoints | None:
+        # Points that were done when the time was over are handed out carried over, as the result would have been.
+        with changed(carry):
+            found = with_notes(law, count, int(bits / BITS_PER_DIGIT), start, times, route=route, most=_MOST, **kick)
+        return carry(found)
+
+    # The route proves its own digits, so that ``attempt`` passes on bits as a number of digits.
     bits = bits_for(digits, _SPARE)
     return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
 
@@ -156,14 +164,7 @@ def started_in_motion(
         bare = tuple(replace(p, frame=BARE) for p in points)
         return replace(found, digits=digits, points=bare, first={"amplitude": amplitude, "tau": tau})
 
-    def attempt(bits: int) -> TurningPoints | None:
-        with changed(undivided):
-            known = int(bits / BITS_PER_DIGIT)
-            found = with_notes(law, count, known, start, times, route=route, most=_MOST, x0=x0, v0=v0)
-        return undivided(found)
-
-    bits = bits_for(digits, _SPARE)
-    return at_growing_precision(attempt, digits, bits, max_bits=bits << _DOUBLINGS)
+    return _carried_over(undivided, law, count, digits, start, times, route, {"x0": x0, "v0": v0})
 
 
 def with_notes(law: Law, count: int, digits: int, start: int, times: bool, **rest: Any) -> TurningPoints:
