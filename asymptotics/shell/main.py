@@ -210,7 +210,10 @@ def _description() -> str:
 
 
 class _Raw(argparse.RawDescriptionHelpFormatter):
-    """Descriptions keep their line breaks."""
+    """Descriptions keep their line breaks; behind the help of an option stands which others it needs, or excludes."""
+
+    def _get_help_string(self, action: argparse.Action) -> str:
+        return (action.help or "") + getattr(action, "beside", "")
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
-from asymptotics.ask.against import GIVEN_INPUTS, Beside, GivenInputs, beside
+from asymptotics.ask.against import GIVEN_INPUTS, OWN_UNITS, Beside, GivenInputs, beside
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import SECONDS, TEXT, Kind, digits
 from asymptotics.ask.question import question
@@ -62,6 +62,7 @@ def _named(found: Comparison, request: Request) -> dict[str, Any]:
             "points": "the points are those of FILE",
         },
     ),
+    pairs=(OWN_UNITS,),
     example="{data} --alpha 2 --epsilon 1/10",
     rests="the certified side: what the command of the same numbers rests on",
 )

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, POSITIVE, SECONDS, TEXT, Kind, Option, whole
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
 from asymptotics.ask.questions._damping_law import STRENGTHS, rows_of_strengths
 from asymptotics.decays.identification.damping_kind import DAMPING, is_damping, law_of_damping, opened_once
@@ -69,8 +70,6 @@ def _files(options: argparse.Namespace) -> list[str]:
         if not options.data:
             raise InputError("FILE", "is missing", f"a file of data; to try it, --example {', '.join(EXAMPLES)}")
         return list(options.data)
-    if options.data:
-        raise InputError("--example", "cannot be combined with FILE", "either")
     return [str(example(options.example))]
 
 
@@ -81,6 +80,7 @@ RUNS = Kind(
         Option("data", "FILE", _FILES, place=True, several=True),
         Option("example", "NAME", f"a file of this program: {', '.join(EXAMPLES)}", _DATA, words=tuple(EXAMPLES)),
     ),
+    pairs=(excludes("example", "data"),),
 )  # fmt: skip
 BESIDE = Kind("", lambda value, _: value, words=True, in_shell=False)
 KIND = TEXT.called(

@@ -7,6 +7,7 @@ from typing import Annotated, Any, cast
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, SECONDS, TEXT, digits, whole
 from asymptotics.ask.laws import MOVES
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
 from asymptotics.curves.turning_points import (
     MotionTurningPoints,
@@ -17,7 +18,7 @@ from asymptotics.curves.turning_points import (
     with_notes,
     without_units,
 )
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import LimitError
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.law_given import Given
 from asymptotics.numbers.policy import Number
@@ -78,8 +79,6 @@ def _missing(found: TurningPoints, request: Request) -> tuple[int, str]:
 
 
 def _certificate(found: Any, request: Request) -> Any:
-    if isinstance(found, Routes):
-        raise InputError("--certificate", "a list of routes has no digits", "a certificate of turning points")
     return found.certificate()
 
 
@@ -100,6 +99,7 @@ def _certificate(found: Any, request: Request) -> Any:
         missing=_missing,
         lacks={"gauge": "what is observed is the same in every gauge", "points": "`--count` says how many"},
     ),
+    pairs=(excludes("certificate", "route=help", "a list of routes has no digits", "a certificate of turning points"),),
     swept=True,
     example="--alpha 2 --epsilon 1/10 --count 2 --digits 5",
     rests="balls: `turning-point-majorant`, `taylor-residual`, `motions-never-part`; springs:"
