@@ -121,7 +121,7 @@ class Offers:
     rows_done               (text, rows, what is missing) of the table, of the rows that were done when making it was
                             cut short; None of what is no such row
     inverse                 another ``Question``, asked in the place of this one where its first option is given
-    lacks                   a common option that means nothing here -> why
+    lacks                   a common option, or one of other commands, that means nothing here -> why, or what is meant
     ======================  ==========================================================================================
     """
 

@@ -24,6 +24,7 @@ from asymptotics.ask.pairs import Pair
 from asymptotics.errors import InputError, require_choice, require_flag, shown
 from asymptotics.numbers.exact import REAL_FORMS
 from asymptotics.numbers.policy import exact_double, exact_integer, exact_number, exact_seconds
+from asymptotics.running.budget import Unasked
 
 COMPUTED = "what to compute"
 
@@ -132,10 +133,14 @@ def _reals(value: Any, name: str) -> tuple[Any, ...]:
     return tuple(exact_number(part, name) for part in given)
 
 
+def _seconds(value: Any, name: str) -> float:
+    return value if isinstance(value, Unasked) else exact_seconds(value, name)
+
+
 REALS = Kind("D", _reals, schema={"type": "string", "description": f"one or several, with commas: {REAL_FORMS}"})
 """A number, or several: a list, or a text with commas."""
 SECONDS = Kind(
-    "S", exact_seconds, schema={"type": "string"}, group="limits", option="max-seconds", default="60"
+    "S", _seconds, schema={"type": "string"}, group="limits", option="max-seconds", default="60"
 )  # read where the time begins
 
 

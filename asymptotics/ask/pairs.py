@@ -43,7 +43,7 @@ class Condition:
         value = said.get(self.name)
         return value is not None and (not self.words or str(value).strip() in self.words)
 
-    def told(self, spelled: Callable[[str], str]) -> str:
+    def in_words(self, spelled: Callable[[str], str]) -> str:
         """As one types it."""
         return " ".join([spelled(self.name), *([" or ".join(self.words)] if self.words else [])])
 
@@ -126,11 +126,11 @@ def require(pairs: Iterable[Pair], said: Mapping[str, Any], spelled: Callable[[s
                 raise pair.error(option, other, said.get(other.name), spelled)
 
 
-def told_pairs(pairs: Iterable[Pair], name: str, spelled: Callable[[str], str]) -> str:
+def pairs_in_help(pairs: Iterable[Pair], name: str, spelled: Callable[[str], str]) -> str:
     """What the help of an option says of its pairs: ``; needs --plot; not with --reference``."""
     texts = []
     for needed, lead, joint in ((True, "needs", " or "), (False, "not with", ", ")):
-        others = [c.told(spelled) for pair in pairs if pair.needed is needed for c in pair.beside(name)]
+        others = [c.in_words(spelled) for pair in pairs if pair.needed is needed for c in pair.beside(name)]
         texts += [f"; {lead} {joint.join(dict.fromkeys(others))}"] if others else []
     return "".join(texts)
 

@@ -26,10 +26,10 @@ from typing import Any, ParamSpec, TypeVar, cast, get_type_hints
 
 from asymptotics.ask.answers import FLAGS, Offers
 from asymptotics.ask.kinds import SECONDS, Kind, Option
-from asymptotics.ask.pairs import Pair, require, told_pairs, typed_value
+from asymptotics.ask.pairs import Pair, pairs_in_help, require, typed_value
 from asymptotics.errors import InputError
 from asymptotics.numbers.policy import float_notes
-from asymptotics.running.budget import DEFAULT_SECONDS
+from asymptotics.running.budget import DEFAULT_SECONDS, Unasked
 from asymptotics.running.public import public, public_beside_others
 from asymptotics.running.signature import readable
 
@@ -69,6 +69,12 @@ class Asked:
             name, kind.letter, told, kind.group, several=kind.several, place=kind.place, needed=self.required,
             dest=self.name, words=tuple(kind.schema.get("enum", ())),
         )  # fmt: skip
+
+    @property
+    def left_out(self) -> Any:
+        """The value where none is given: of a time, one that nobody asked for."""
+        timed = self.name == "max_seconds" and self.default is not None
+        return Unasked(self.default) if timed else self.default
 
     @property
     def is_one_option(self) -> bool:
@@ -144,7 +150,8 @@ class Question:
 
     def add_to(self, parser: argparse.ArgumentParser, refuse: type[argparse.Action] | None = None) -> None:
         """Declare the options under their headings, then those that mean nothing here, hidden, each with its reason."""
-        options = tuple(replace(o, beside=told_pairs(self.pairs, o.name, self._spelled_option)) for o in self.options)
+        beside = {o.name: pairs_in_help(self.pairs, o.name, self._spelled_option) for o in self.options}
+        options = tuple(replace(o, beside=beside[o.name]) for o in self.options)
         if any(o.rest for o in options):  # what is needed may stand among the rest: it is asked for when it is read
             options = tuple(replace(o, needed=o.needed and o.place) for o in options)
         for option in (o for o in options if o.place):
@@ -173,7 +180,7 @@ class Question:
             elif value is inspect.Parameter.empty:
                 raise InputError(spelled(a.name), "is missing", a.help)
             elif value is a.default:
-                made[a.name] = value
+                made[a.name] = a.left_out
             else:
                 beside = {name: given[name] for name in a.kind.beside if name in given}
                 made[a.name] = a.kind.read(value, spelled(a.name), **beside)

@@ -133,7 +133,7 @@ def walk(name, folder, capsys):
         counts[0] += 1
         if not option.words and option.name in {o.name for o in question.options}:
             action = next(a for o, a in options_of(name).items() if o == f"--{option.name}")
-            assert other.told(question._spelled_option) in action.beside, (option, action.beside)
+            assert other.in_words(question._spelled_option) in action.beside, (option, action.beside)
         names = {option.name, *(c.name for c in (pair.others if pair.needed else [other]))}
         if names <= set(schema["properties"]):
             faults = jsonschema.Draft202012Validator(schema).iter_errors(request(schema, given))

@@ -8,7 +8,7 @@ from asymptotics.ask.against import GIVEN_INPUTS, OWN_UNITS, Beside, GivenInputs
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import SECONDS, TEXT, Kind, digits
 from asymptotics.ask.question import question
-from asymptotics.decays.comparison.in_text import told
+from asymptotics.decays.comparison.in_text import comparison_text
 from asymptotics.decays.comparison.run import MAX_DIGITS, Comparison
 from asymptotics.errors import InputError, shown
 from asymptotics.law import LawLike
@@ -54,7 +54,7 @@ def _named(found: Comparison, request: Request) -> dict[str, Any]:
         again=None,
         certificate=lambda found, _: found.certificate(),
         data=_named,
-        text=lambda found, request: told(found, _held_against(request).description),
+        text=lambda found, request: comparison_text(found, _held_against(request).description),
         missing=lambda found, _: (len({row.line for row in found.rows}), found.summary["missing"]),
         lacks={
             "gauge": "what is observed is the same in every gauge",

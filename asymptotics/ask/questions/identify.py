@@ -18,7 +18,7 @@ from asymptotics.decays.identification.forward.work import PATIENCE
 from asymptotics.decays.identification.found_law import DampingLaw
 from asymptotics.decays.identification.identify import identified
 from asymptotics.decays.identification.telling.html_report import html_report
-from asymptotics.decays.identification.telling.in_text import told
+from asymptotics.decays.identification.telling.in_text import identification_text
 from asymptotics.decays.identification.telling.result import Identification
 from asymptotics.decays.records.columns import KINDS
 from asymptotics.decays.records.sources import How
@@ -136,7 +136,7 @@ def _page(found: Identification | DampingLaw, request: Request) -> str | None:
         as_csv=_csv,
         formula=lambda _, __: "",
         data=lambda found, _: {**({"kind": DAMPING} if isinstance(found, DampingLaw) else {}), **found.to_dict()},
-        text=lambda found, _: str(found) if isinstance(found, DampingLaw) else told(found),
+        text=lambda found, _: str(found) if isinstance(found, DampingLaw) else identification_text(found),
         always_files=True,
         reads="data",
         again=None,

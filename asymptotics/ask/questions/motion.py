@@ -257,7 +257,7 @@ def motion_at(
     given = cast("Given", law)
     if not reference and digits is not None and digits > MAX_ASYMPTOTIC_DIGITS:
         raise InputError("digits", f"{digits} is too large", f"at most {MAX_ASYMPTOTIC_DIGITS} for an expansion")
-    oscillator, moment, seconds = given.oscillator, cast("ExactReal", time), float(cast("float", max_seconds))
+    oscillator, moment, seconds = given.oscillator, cast("ExactReal", time), cast("float", max_seconds)
     N, G = order or DEFAULT_ORDER, gauge or TURNING_POINT
     if given.rests:
         if static is not None:

@@ -82,6 +82,7 @@ def _at_more_digits(point: Mapping[str, str], digits: int) -> dict[str, str]:
         as_latex=lambda found, _: found.latex,
         as_csv=lambda found, _: csv_text(["n", "i", "C"], found.rows),
         lacks={
+            "alpha": "all of it is of alpha = 2; `half-swing --alpha` has the other exponents",
             "gauge": "constants of the motion have no gauge",
             "plot": "coefficients are no curve",
             "points": "there is no curve",
