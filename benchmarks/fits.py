@@ -5,9 +5,9 @@ asked at the first amplitude, the last and their geometric mean, and judged by t
 interval holds it or not.  One exponential is A e^(-gt) cos(omega t + p) + c, begun near its optimum, with one Q =
 omega/2g; kafe2 has so many rows that 400 to 800 remain, and a noise from fifth differences.  rolldecay-estimators fits
 B1 and B2 to derivatives by NumPy, or to the motion from there.  The last program is told the right law, begins 20 %
-from its strengths, and integrates the motion by DOP853.  *Wrong law*: records answered by a law that is not the true one,
-without a word of it: ``identify`` that identifies another; a fixed law that is not refuted (by kafe2: p < 0.001; the
-others have no such word).
+from its strengths, and integrates the motion by DOP853.  *Wrong law*: records answered by a law that is not the true
+one, without a word of it: ``identify`` that identifies another; a fixed law that is not refuted (by kafe2: p < 0.001;
+the others have no such word).
 """
 
 from collections.abc import Sequence
