@@ -19,15 +19,12 @@ from functools import partial
 from math import inf
 from typing import Any
 
-import sympy
-
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.pi_decimals import exact_coefficient, exact_decimal, pi_number
-from asymptotics.expansions.half_swings.pi_ring import PiNumber
-from asymptotics.expansions.half_swings.symbolic import alpha
+from asymptotics.expansions.half_swings.pi_ring import PI, PiNumber
 from asymptotics.expansions.normal_form.digits import certified_digits, round_all
 from asymptotics.expansions.normal_form.expansion import (
     MAX_SECONDS,
@@ -37,11 +34,10 @@ from asymptotics.expansions.normal_form.expansion import (
     require_size,
 )
 from asymptotics.expansions.normal_form.flow import flow_of
+from asymptotics.expansions.normal_form.in_moments import closed_forms, moments_of
 from asymptotics.expansions.normal_form.results import ZERO, Coefficient, Coefficients, HalfSwingCoefficients, Row
-from asymptotics.expansions.normal_form.spring_terms import first_order, second_order_p
-from asymptotics.expansions.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
+from asymptotics.expansions.normal_form.spring_terms import first_order
 from asymptotics.gauges import TURNING_POINT, require_gauge
-from asymptotics.numbers.bridge import to_sympy
 from asymptotics.numbers.decimals import MAX_DIGITS
 from asymptotics.numbers.exact import MAX_ORDER
 from asymptotics.numbers.integers import require_integer
@@ -89,7 +85,7 @@ def _coefficients(forces: Forces, order: int, digits: int, gauge: str, exact_onl
         rounded = round_all(partial(_in_gauge, forces, order, gauge), digits, 4 * order + 32, decided, forces)
     known = closed_forms(forces, order, gauge)
     for name, row in exact.items():
-        known[name] |= {key: c.to_sympy() for key, c in row.items()}
+        known[name] |= {key: c.closed() for key, c in row.items()}
     p, Omega = (_rounded_row(rounded[name], known[name]) for name in ("p", "Omega"))
     return _expansion(gauge, order, "certified", forces, p, Omega)
 
@@ -141,9 +137,9 @@ def _half_swing_coefficients(forces: Forces, order: int, digits: int, exact_only
     names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(forces.variables))]
     rounded = certified_digits(forces, order, digits, names=names, known=decided)
     # Whatever the exponents, these two have closed forms: U at first order, T without forces.
-    known = {"U": dict(first_order(forces)[0]), "T": {(0,) * forces.variables: sympy.pi}}
+    known = {"U": first_order(forces, moments_of(forces))[0], "T": {(0,) * forces.variables: PI.closed()}}
     for name, row in exact.items():
-        known[name] = known.get(name, {}) | {key: c.to_sympy() for key, c in row.items()}
+        known[name] = known.get(name, {}) | {key: c.closed() for key, c in row.items()}
     rows = [_rounded_row(rounded[n], known.get(n, {})) for n in names]
     return _half_swing(order, "certified", forces.variables, rows)
 
@@ -151,23 +147,6 @@ def _half_swing_coefficients(forces: Forces, order: int, digits: int, exact_only
 def _half_swing(order: int, arithmetic: str, laws: int, rows: list[Row]) -> HalfSwingCoefficients:
     L, T, U, W, *rest = rows
     return HalfSwingCoefficients(order, arithmetic, L, tuple(rest[:laws]), T, U, tuple(rest[laws:]), W)
-
-
-def closed_forms(given: Given, order: int, gauge: str) -> dict[str, dict[Key, sympy.Expr]]:
-    """First order always, Omega_2 of one plain loss in any gauge; at turning points p_3 and second orders."""
-    forces = Forces.read(given, order)
-    U, W = first_order(forces)
-    known = {"p": {k: -u for k, u in U.items()}, "Omega": {k: -w for k, w in W.items()}}
-    exponents = [to_sympy(m.velocity) for m in forces.members]
-    if forces.is_pure and forces.variables == 1:
-        known["Omega"][2,] = omega_2(gauge).subs(alpha, exponents[0])
-        if gauge == TURNING_POINT:
-            known["p"][3,] = symbolic_expansion()["p"][3].subs(alpha, exponents[0])
-    elif forces.is_pure and gauge == TURNING_POINT:
-        known["Omega"] = {k: -w for k, w in second_order_sum(tuple(exponents)).items()}
-    elif gauge == TURNING_POINT:
-        known["p"] |= second_order_p(forces)
-    return known
 
 
 def _is_exact(forces: Forces, order: int, gauge: str, exact_only: bool) -> bool:
@@ -241,12 +220,9 @@ def _exact_row(series: Series, digits: int) -> Row:
     return row
 
 
-def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, sympy.Expr]) -> Row:
-    def exact(key: Key, text: str) -> sympy.Expr | None:
-        # "0" is told by a theorem, whatever form stands beside it.
-        return sympy.Integer(0) if text == "0" else known.get(key)
-
-    return {_name(key): Coefficient(text, exact(key, text)) for key, text in row.items()}
+def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, Any]) -> Row:
+    # "0" is told by a theorem, whatever form stands beside it.
+    return {_name(key): ZERO if text == "0" else Coefficient(text, known.get(key)) for key, text in row.items()}
 
 
 def _name(key: Key) -> str:
