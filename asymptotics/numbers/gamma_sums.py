@@ -49,6 +49,11 @@ class GammaSum:
         """Whether there are two terms or more."""
         return len(self.terms) > 1
 
+    @property
+    def as_rational(self) -> fmpq | None:
+        """The number where nothing but a rational is written; None elsewhere."""
+        return sum((q for q, _ in self.terms), start=fmpq(0)) if all(not m for _, m in self.terms) else None
+
     def ball(self) -> arb:
         """An enclosure at the current working precision."""
         return sum(map(gamma_text.value, self.terms), start=arb(0))

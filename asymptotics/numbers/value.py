@@ -22,7 +22,7 @@ from fractions import Fraction
 from operator import add, mul, sub
 from typing import TYPE_CHECKING, Any
 
-from flint import arb
+from flint import arb, fmpq
 
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.decimals import rational_decimal
@@ -227,6 +227,13 @@ def number_of(found: Any, name: str) -> Coefficient:
     if not found.certified:
         raise InputError("name", f"{name} is not certified: no interval is known to hold it", "a certified result")
     return Coefficient(getattr(found, name), None)
+
+
+def as_rational(form: Any) -> fmpq | None:
+    """The rational that an exact form is, of a ``GammaSum`` or an expression of SymPy; None where none is known."""
+    if isinstance(form, GammaSum):
+        return form.as_rational
+    return fmpq(int(form.p), int(form.q)) if form is not None and form.is_Rational else None
 
 
 def coefficient_columns(found: Sequence[Coefficient]) -> dict[str, list[Any]]:

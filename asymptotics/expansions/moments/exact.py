@@ -14,6 +14,8 @@ from asymptotics.numbers.gamma_sums import GammaSum, gamma
 from asymptotics.numbers.gamma_text import HALF
 from asymptotics.numbers.rationals import to_fmpq
 
+PI = gamma(HALF) ** 2
+
 
 def integer_moment(p: int) -> tuple[Fraction, bool]:
     """(q, over_pi): M_p = q for even p, q/pi for odd p, from M_p = (p-1)/p M_(p-2).

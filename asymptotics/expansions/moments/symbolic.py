@@ -32,7 +32,9 @@ from asymptotics.errors import InputError
 from asymptotics.expansions.moments.exact import integer_moment
 from asymptotics.numbers.bridge import to_sympy as number
 
-__all__ = ["mean", "moment", "number", "squaring_moment", "squaring_ratio"]
+__all__ = ["PI", "mean", "moment", "number", "squaring_moment", "squaring_ratio"]
+
+PI = pi
 
 
 def moment(p: Expr | int) -> Expr:
