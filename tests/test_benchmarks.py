@@ -15,9 +15,10 @@ import pytest
 from asymptotics.errors import InputError
 from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.motions.invariants.exact import coefficients
-from benchmarks import cubic_damping, peers
+from benchmarks import cubic_damping, fit_programs, fits, peers
 from benchmarks.__main__ import BENCHMARKS, QUICK, WHOLE, main
 from benchmarks.cubic_damping import expand_by_hand, process_seconds
+from benchmarks.decays import Decay
 from benchmarks.report import write
 from benchmarks.smith_rows import rational_rows
 from benchmarks.table import Table, with_ratios
@@ -115,6 +116,27 @@ def test_what_is_compared_is_the_same_result():
     for k in range(1, 6):
         coefficient = (ours.p if k % 2 else ours.Omega)[k]
         assert coefficient.to_sympy() == by_hand[k - 1]
+
+
+def test_a_record_that_a_program_fails_on_is_counted_and_an_interval_that_misses_too():
+    """One of three records raises in the program's process; of the others one interval holds Q = 50, one misses it."""
+    work = "lambda record: {'quality': [[float(record['x']), 51.0, float(1 / record['t'])]]}"
+    code = f"{fit_programs._EACH}answer = all_records({work})"
+    records = [{"t": t, "x": x} for t, x in ((0.01, 40.0), (0.01, 51.0), (None, 40.0))]
+    said = peers.ask(code, python=sys.executable, records=records)["found"]
+    assert ["failed" in one for one in said] == [False, False, True]
+    made = [Decay("plain", "1", (0.02,), {})] * 3
+    ours = [{"at": [1.0]}] * 3
+    said[1]["wrong"] = True
+    row = fits._row("program", made, said, ours)
+    assert row[:6] == ("program", "2 of 3", "2 % / 2 %", "1 of 2", "-", "1")
+    said[0]["quality"][0][1] = 55.0
+    assert fits._row("program", made, said, ours)[2] == "6 % / 9.2 %"
+
+
+def test_a_peer_is_told_more_than_an_argument_of_a_command_can_hold():
+    told = peers.ask("answer = {'seconds': len(x)}", python=sys.executable, x=[0.123456789] * 40_000)
+    assert told == {"seconds": 40_000}
 
 
 def test_a_missing_tool_is_named():
