@@ -9,7 +9,7 @@ from asymptotics.ask.forces import GivenTerms
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.laws import SYMBOLIC, TERMS_IN_UNITS, TermsInUnits
 from asymptotics.ask.question import question
-from asymptotics.ask.rows import local_strengths, order_of, row_text, rows_csv
+from asymptotics.ask.rows import delta_meaning, local_strengths, order_of, row_text, rows_csv
 from asymptotics.errors import InputError
 from asymptotics.expansions.equations.build import MAX_DIGITS, MAX_ORDER
 from asymptotics.expansions.equations.build import expand as equations_of
@@ -131,6 +131,12 @@ def _latex(found: Found, request: Request) -> str:
     return found.latex() if isinstance(found, SymbolicExpansion) else found.equations.latex(request["digits"])
 
 
+def _letters(found: Found, request: Request) -> dict[str, str]:
+    if isinstance(found, SymbolicExpansion):
+        return {}
+    return delta_meaning(_deltas(found.equations, request["law"].terms))
+
+
 def _csv(found: Found, _: Request) -> str:
     assert isinstance(found, ExpandAnswer)  # a symbolic exponent has no file: refused before
     return rows_csv({"p": found.equations.p.named(), "Omega": found.equations.Omega.named()})
@@ -165,6 +171,7 @@ def _typed(request: Request) -> None:
         text=_text,
         as_latex=_latex,
         as_csv=_csv,
+        letters=_letters,
         besides=_besides,
         typed=_typed,
         lacks={"plot": "equations are no curve; `motion` and `envelope` draw", "points": "there is no curve"},

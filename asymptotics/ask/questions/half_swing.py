@@ -10,7 +10,7 @@ from asymptotics.ask.forces import GivenTerms
 from asymptotics.ask.kinds import FLAG, REALS, SECONDS, digits, whole
 from asymptotics.ask.laws import SYMBOLIC, TERMS
 from asymptotics.ask.question import question
-from asymptotics.ask.rows import deltas_latex, local_strengths, order_of, row_text, rows_csv, rows_latex
+from asymptotics.ask.rows import delta_meaning, deltas_latex, local_strengths, order_of, row_text, rows_csv, rows_latex
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.half_swing_value import HalfSwingAt
 from asymptotics.expansions.normal_form.coefficients import half_swing_coefficients
@@ -121,6 +121,11 @@ def _index(name: str, given: GivenTerms) -> str:
     return letter + (f"_{{{given.names.index(force[:-1]) + 1}}}" if bracket else "")
 
 
+def _letters(_: Found, request: Request) -> dict[str, str]:
+    given = request["law"]
+    return {} if given == SYMBOLIC else delta_meaning(local_strengths(given))
+
+
 def _csv(found: Found, request: Request) -> str:
     if isinstance(found, HalfSwingAt):
         return csv_text(["quantity", "value", "low", "high"], _values(found))
@@ -149,6 +154,7 @@ def _typed(request: Request) -> None:
         text=_text,
         as_latex=_latex,
         as_csv=_csv,
+        letters=_letters,
         typed=_typed,
         lacks={
             "gauge": "U, V, W are in the turning-point gauge, L, F, T the same in all; `expand --gauge` has the others",
