@@ -4,7 +4,6 @@ A peer that is wanted and missing is an error before anything is measured; ``--n
 """
 
 import json
-import os
 import sys
 from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
@@ -16,7 +15,7 @@ from pathlib import Path
 from asymptotics.errors import InputError
 from asymptotics.shell.guarded import complain, emit, run_guarded
 from benchmarks import peers
-from benchmarks.table import Table
+from benchmarks.table import measured
 
 BENCHMARKS = {
     "smith-rows": "smith_rows",
@@ -96,8 +95,9 @@ def _answer(name: str | None, sizes: Mapping[str, int], folder: str | None, *, a
     wanted = {peer: None for module in modules.values() for peer in getattr(module, "PEERS", ())}
     peers.require(list(wanted))
     with ProcessPoolExecutor(1, get_context("spawn")) as another:
-        later = {key: another.submit(run, key, sizes.get(key)) for key in names if not name and key in BESIDE}
-        made = {key: run(key, sizes.get(key), **more) for key in names if key not in later}
+        calls = {key: (key, f"benchmarks.{BENCHMARKS[key]}", sizes.get(key)) for key in names}
+        later = {key: another.submit(measured, *calls[key]) for key in names if not name and key in BESIDE}
+        made = {key: measured(*calls[key], **more) for key in names if key not in later}
         made |= {key: future.result() for key, future in later.items()}
     tables = {key: made[key] for key in names}
     if folder is not None:
@@ -106,16 +106,6 @@ def _answer(name: str | None, sizes: Mapping[str, int], folder: str | None, *, a
     if as_json:
         return json.dumps({key: table.to_dict() for key, table in tables.items()}, indent=2)
     return "\n\n".join(table.text() for table in tables.values())
-
-
-def run(key: str, size: int | None, **more: Path) -> Table:
-    """The table of one benchmark; how much processor time it took, its own processes included, goes to stderr."""
-    before = os.times()
-    table: Table = import_module(f"benchmarks.{BENCHMARKS[key]}").run(*(() if size is None else (size,)), **more)
-    seconds = sum(os.times()[:4]) - sum(before[:4])
-    if sys.stderr is not None:  # print would take None for stdout
-        print(f"{key}: {seconds:.0f} s", file=sys.stderr, flush=True)
-    return table
 
 
 if __name__ == "__main__":
