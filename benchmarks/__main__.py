@@ -35,12 +35,13 @@ BENCHMARKS = {
     "double-errors": "double_errors",
 }
 """The name of each benchmark, and its module: a function ``run`` that takes a size, and the ``PEERS`` that it asks."""
-WHOLE = {"identified": 15, "double-errors": 12}
-"""Sizes of a run of all benchmarks that are not the stated ones: one record of each class; a third of the laws."""
+WHOLE = {"identified": 15, "fits": 15, "double-errors": 12}
+"""Sizes of a run of all benchmarks that are not the stated ones: a record of each class; three of each law; a third of
+the laws."""
 QUICK = {
     "smith-rows": 200, "cubic-damping": 1, "cost-against-order": 16, "costs": 10, "turning-points": 300,
     "certified-orbits": 20, "integrators": 100, "certified-motion": 400, "hypergeometric": 300, "comparing": 10_000,
-    "multiple-scales": 1, "start-up": 1, "promises": 4, "fits": 200, "identified": 2, "certificates": 2,
+    "multiple-scales": 1, "start-up": 1, "promises": 4, "fits": 5, "identified": 2, "certificates": 2,
     "double-errors": 1,
 }  # fmt: skip
 """Sizes of ``--quick``."""

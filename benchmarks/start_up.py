@@ -1,6 +1,6 @@
 """What a process costs before it has done anything: processor time and peak memory of starting, importing, answering.
 
-The ratio is to a bare interpreter; SymPy and SciPy stand beside, since a tool built on them pays at least that.
+Counted in bare interpreters as well; SymPy and SciPy stand beside, since a tool built on them pays at least that.
 
 ``expand`` prints closed forms, which are SymPy's: of its 0.46 s SymPy takes 0.25, as much as importing it alone, and
 0.03 more for ``sympy.tensor``, which its first sum loads; ``moment``, which needs no SymPy, takes 0.15.  So the 0.35
@@ -51,4 +51,4 @@ def run(size: int = 5) -> Table:
         seconds, megabytes = json.loads(done.stdout)
         first = first or seconds
         rows.append((name, f"{seconds:.3f}", f"{seconds / first:.1f}", f"{megabytes:.0f}"))
-    return Table("Start-up and memory", ("what", "seconds", "ratio", "peak MB"), tuple(rows))
+    return Table("Start-up and memory", ("what", "seconds", "times the bare one", "peak MB"), tuple(rows))

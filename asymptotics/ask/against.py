@@ -16,7 +16,7 @@ from asymptotics.ask.again import compare_again, names_its_request, told_request
 from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import Kind
 from asymptotics.ask.laws import LAW_FEEDS, law_options, start_options, unit_options
-from asymptotics.ask.moving import PHYSICAL, read_oscillator
+from asymptotics.ask.moving import PHYSICAL, read_oscillator, without_units
 from asymptotics.decays.comparison.reading import rows_of_file
 from asymptotics.decays.comparison.run import Comparison, compare_file
 from asymptotics.decays.comparison.stated import stated
@@ -150,7 +150,7 @@ def _of_its_header(path: Path, *, series: bool) -> GivenInputs:
         reason = f"it is of an oscillator with --{special}, and its header does not name the request"
         raise InputError("FILE", reason, "a motion, or turning points written by --csv of this version")
     kept = {k: v for k, v in inputs.items() if k in ("alpha", "law") or not series}
-    return GivenInputs(options=argparse.Namespace(**{**dict.fromkeys(INPUTS), **kept}))
+    return GivenInputs(options=without_units(argparse.Namespace(**{**dict.fromkeys(INPUTS), **kept})))
 
 
 def _is_motion(path: Path) -> bool:

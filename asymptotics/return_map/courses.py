@@ -111,7 +111,8 @@ class QuarterCourse:
     def near(self, times: Sequence[arb]) -> list[tuple[arb, arb, arb]]:
         """(r cos theta, r sin theta) in units of the amplitude at the turning point, and the time, nearly those."""
         (growth, apart), (clock, late) = self.growth, self.clock
-        guesses, fine, found = self._guesses(np.array([float(s) for s in times])), arb(2) ** -ctx.prec, []
+        # Half of the bits: what is left of the time counts by its square (``Course``).
+        guesses, fine, found = self._guesses(np.array([float(s) for s in times])), arb(2) ** (-ctx.prec // 2), []
         with ctx.workprec(_precise(max(len(growth), len(clock)))):
             for s, guess, rate in zip(times, *(part.tolist() for part in guesses), strict=True):
                 t, time = _reached(clock, s, arb(guess), arb(rate), fine)

@@ -29,8 +29,9 @@ from asymptotics.decays.identification.measuring.quiet_times import quiet_times
 from asymptotics.decays.identification.measuring.sampled import MAX_SAMPLES, observations_of_motion
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.table import RecordTable
-from asymptotics.decays.records.units import ANGLES, UNITS
+from asymptotics.decays.records.units import UNITS
 from asymptotics.errors import InputError
+from asymptotics.numbers.quantities import ANGLES
 
 _RECORD = RowPlaces("the record")
 _WINDOW, _WIDEST, _SAMPLES = 0.11, 0.26, 4.6
