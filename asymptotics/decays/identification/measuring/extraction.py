@@ -101,16 +101,7 @@ def observations_of_record(
     uneven = float(np.quantile(steps, 0.9)) > _UNEVEN * float(np.median(steps))
     if per_period < (_SPARSE if uneven else _LEAST_SAMPLES):
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
-    base = np.array([float(np.median(x)), 0.0])
-    found = _points(t, x - base[0], period)
-    if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
-        slope, level = np.polyfit(t - t[0], x, 1)
-        base = np.array([level, slope])
-        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
-    # Each pass leaves a fraction of the offset: extremes about a wrong base line are moved by it.
-    for _ in range(2):
-        base = base + _base_line(found, t[0])
-        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    found, base = _about_base_line(t, x, period)
     if len(found.x) < 4:
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     # A drift below three errors is removed all the same, but not worth telling.
@@ -148,6 +139,21 @@ def observations_of_record(
     free = (t >= seen.t[0]) & (t <= seen.t[-1])
     record = t[free], (x - base[0] - base[1] * (t - t[0]))[free]
     return replace(seen, window=Window.of(t, seen.t, half, 2 * np.pi / period), floor=floor, record=record)
+
+
+def _about_base_line(t: Array, x: Array, period: float) -> tuple[_Points, Array]:
+    """The extremes and passages about the base line, and its level and slope."""
+    base = np.array([float(np.median(x)), 0.0])
+    found = _points(t, x - base[0], period)
+    if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
+        slope, level = np.polyfit(t - t[0], x, 1)
+        base = np.array([level, slope])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    # Each pass leaves a fraction of the offset: extremes about a wrong base line are moved by it.
+    for _ in range(2):
+        base = base + _base_line(found, t[0])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    return found, base
 
 
 def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: float) -> _Points:
