@@ -52,6 +52,9 @@ fewer than 100 a period, or the decay comes nearer to the noise than eight times
 is also the least number of samples of an uneven record whose extremes are fitted."""
 _FEW_EXTREMES = 20
 """So few extremes tell their noise badly, the more so where it remembers; samples whose noise is seen tell it well."""
+_LEAST_EXTREMES, _SCARCE, _LOUD = 4, 8, 0.02
+"""Extremes of a free decay; and where they are fewer than 8 under a noise above 0.02 of the largest, the samples are
+fitted however short the record is: a local polynomial loses such extremes, or moves them."""
 # Nine tenths of the gaps must be below twice the usual one, or a window has too few samples somewhere.
 _UNEVEN = 2.0
 _FEW = 1.0
@@ -116,6 +119,11 @@ def observations_of_record(
     else:
         notes.append(f"base line {base[0]:.4g} removed")
     chosen, discarded = _free_decay(found)
+    if _is_scarce(found, chosen, x):
+        free = t >= (found.t[chosen[0]] if len(chosen) else t[0])
+        return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=table.notes, period=period)
+    if len(chosen) < _LEAST_EXTREMES:
+        raise InputError("FILE", f"only {len(chosen)} turning points form a free decay", f"at least {_LEAST_EXTREMES}")
     # Windows of nine samples for seven coefficients throw most of a sparse record away: noise that is seen is enough.
     sparse = per_period < _SAMPLES / _WINDOW
     noisy = found.noise > (_COARSE if sparse else _NOISY) * abs(found.x[chosen[0]])
@@ -309,9 +317,15 @@ def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
         notes.append(f"{first} turning points in all before t = {found.t[first]:.6g} left out: forced or released")
     if last < len(size):
         notes.append(f"{len(size) - last} turning points hidden by noise (t > {found.t[last - 1]:.6g}) left out")
-    if len(chosen) < 4:
-        raise InputError("FILE", f"only {len(chosen)} turning points form a free decay", "at least 4")
     return chosen, notes
+
+
+def _is_scarce(found: _Points, chosen: Indices, x: Array) -> bool:
+    """Whether the extremes are so few and so noisy that the samples tell more."""
+    # Neighbours of white noise differ by sqrt(2) of it, half of them by less than 0.6745 of that; steps and kinks,
+    # which no polynomial follows, are none.
+    scatter = float(np.median(np.abs(np.diff(x)))) / (0.6745 * 2**0.5)
+    return len(chosen) < _SCARCE and min(found.noise, scatter) > _LOUD * float(np.abs(found.x).max())
 
 
 def _steps(t: Array) -> Array:
