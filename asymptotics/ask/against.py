@@ -16,7 +16,7 @@ from asymptotics.ask.again import compare_again, names_its_request, told_request
 from asymptotics.ask.forces import law_pairs, read_law
 from asymptotics.ask.kinds import Kind
 from asymptotics.ask.laws import LAW_FEEDS, law_options, start_options, unit_options
-from asymptotics.ask.moving import PHYSICAL, read_oscillator, unit_pairs
+from asymptotics.ask.moving import PHYSICAL, read_oscillator, unit_pairs, without_units
 from asymptotics.ask.pairs import excludes, require
 from asymptotics.decays.comparison.reading import rows_of_file
 from asymptotics.decays.comparison.run import Comparison, compare_file
@@ -154,7 +154,7 @@ def _of_its_header(path: Path, *, series: bool) -> GivenInputs:
     kept = {k: v for k, v in inputs.items() if k in ("alpha", "law") or not series}
     given = {**dict.fromkeys(INPUTS), **kept}
     require(GIVEN_INPUTS.pairs, given)  # a header is foreign text
-    return GivenInputs(options=argparse.Namespace(**given))
+    return GivenInputs(options=without_units(argparse.Namespace(**given)))
 
 
 def _is_motion(path: Path) -> bool:

@@ -35,6 +35,9 @@ _FARTHEST, _CHIRP, _LOUD = 0.15, 0.1, 0.1
 """By how much the mean drift of the phase may correct the frequency: a bin of the record, at most a share of the
 frequency, and its chirp; the drift is that of the amplitudes above a tenth of the largest, for in a tail the
 polynomials follow whatever is there."""
+_WILD, _PLACES = 2.0, 101
+"""An amplitude of so many times the range of the record is no motion, but polynomials that cancel each other; and the
+places at which it is looked for."""
 _DEPENDENT = 1e-9
 """Columns that are so much smaller beside the others are no longer independent of them in doubles."""
 _NEWTON, _NEAR, _PARTS = 3, 0.3, 5
@@ -179,7 +182,7 @@ def _line(t: Array, x: Array, omega: float) -> SpectralLine:
     # Nested columns: the first k of Q span the first k of all of them, so that one factorisation serves each degree.
     Q, R = np.linalg.qr(np.concatenate([np.ones((len(t), 1)), u[:, None], modulated], axis=1))
     size = np.abs(np.diag(R))
-    y, best = Q.T @ x, (np.inf, 2 + each)
+    y, tried = Q.T @ x, [(np.inf, 2 + each)]
     for columns in range(2 + each, R.shape[1] + 1, each):
         if size[:columns].min() < _DEPENDENT * size[:columns].max():
             break
@@ -187,15 +190,23 @@ def _line(t: Array, x: Array, omega: float) -> SpectralLine:
         rss = max(float(((x - Q[:, :columns] @ y[:columns]) ** 2).sum()), 1e-300)
         # AICc as in ``criteria``, but finite when there are too few data: such a degree loses by its size.
         criterion = len(t) * np.log(rss / len(t)) + 2 * columns + 2 * columns * (columns + 1) / max(left - 1, 0.5)
-        if criterion < best[0]:
-            best = criterion, columns
-    columns = best[1]
-    c = np.linalg.lstsq(R[:columns, :columns], y[:columns], rcond=1e-10)[0]
+        tried.append((criterion, columns))
+    for _, columns in sorted(tried):
+        c = np.linalg.lstsq(R[:columns, :columns], y[:columns], rcond=1e-10)[0]
+        if _is_tame(c[2:].reshape(-1, each), float(np.ptp(x))):
+            break
     r = x - Q[:, :columns] @ y[:columns]
     noise, memory = _coloured(t, r, omega, columns, each)
     waves_of = c[2:].reshape(-1, each)
     third = waves_of[:, 2] - 1j * waves_of[:, 3] if each > 2 else np.zeros(1, dtype=complex)
     return SpectralLine(t, omega, waves_of[:, 0] - 1j * waves_of[:, 1], third, noise, float(len(t) - columns), memory)
+
+
+def _is_tame(waves: Array, size: float) -> bool:
+    """Whether the amplitude of the line stays within twice the range ``size`` of the record."""
+    places = np.linspace(-1, 1, _PLACES)
+    wave = np.polynomial.chebyshev.chebval(places, waves[:, 0] - 1j * waves[:, 1])
+    return bool(np.abs(wave).max() <= _WILD * size)
 
 
 def _coloured(t: Array, r: Array, omega: float, columns: int, each: int) -> tuple[float, float]:
