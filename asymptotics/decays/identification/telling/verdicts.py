@@ -199,6 +199,9 @@ def what_would_tell(one: Judged, other: Judged, seen: Observations) -> str:
         if factor == 1.0:
             # Chi-squared goes with the inverse square of the noise.
             less = float(np.sqrt(max(difference, 1e-12) / _DIFFERENT))
+            # White noise of this size would have told them: what correlates the residuals is not less of it.
+            if less >= 1:
+                return ""
         elif difference >= _DIFFERENT:
             return (
                 f"to tell {one.candidate} from {other.candidate}: about {last + 1} turning points, "
