@@ -199,10 +199,11 @@ def _line(t: Array, x: Array, omega: float) -> SpectralLine:
         penalty = 2 * columns + 2 * columns * (columns + 1) / max(left - 1, 0.5)
         criteria[columns] = len(t) * np.log(rss / len(t)) + penalty
     ordered = sorted(criteria, key=lambda count: criteria[count]) or [2 + each]
-    highest = _highest(t, x, 2 * np.pi / omega)
-    # Of less than two periods a low degree may be no line at all: better a wild one, of which the samples decide.
+    places, highest = _highest(t, x, 2 * np.pi / omega)
+    # Of less than two periods a low degree may be no line at all: then one within twice the range of the record.
     seen = [n for n in ordered if float((y[n:] ** 2).sum()) < _POOR**2 * float((y[1:] ** 2).sum())]
-    tame = (n for n in seen if (np.abs(_modulation(R, y, n, each, highest[0])) < highest[1]).all())
+    limits = [(seen, highest), (ordered, _WILD * np.ptp(x))]
+    tame = (n for some, most in limits for n in some if (np.abs(_modulation(R, y, n, each, places)) <= most).all())
     columns = next(tame, ordered[0])
     r = x - Q[:, :columns] @ y[:columns]
     noise, memory = _coloured(t, r, omega, columns, each)

@@ -142,21 +142,6 @@ def observations_of_record(
     return replace(seen, window=Window.of(t, seen.t, half, 2 * np.pi / period), floor=floor, record=record)
 
 
-def _about_base_line(t: Array, x: Array, period: float) -> tuple[_Points, Array]:
-    """The extremes and passages about the base line, and its level and slope."""
-    base = np.array([float(np.median(x)), 0.0])
-    found = _points(t, x - base[0], period)
-    if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
-        slope, level = np.polyfit(t - t[0], x, 1)
-        base = np.array([level, slope])
-        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
-    # Each pass leaves a fraction of the offset: extremes about a wrong base line are moved by it.
-    for _ in range(2):
-        base = base + _base_line(found, t[0])
-        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
-    return found, base
-
-
 def _to_passages(found: _Points, chosen: Indices) -> tuple[float, float]:
     """From the first chosen extreme to the last, and on to the passage beside it where nothing was left out there.
 
@@ -170,6 +155,21 @@ def _to_passages(found: _Points, chosen: Indices) -> tuple[float, float]:
     if chosen[-1] == len(found.t) - 1 and len(after) and after[0] - last < half:
         last = float(after[0])
     return first, last
+
+
+def _about_base_line(t: Array, x: Array, period: float) -> tuple[_Points, Array]:
+    """The extremes and passages about the base line, and its level and slope."""
+    base = np.array([float(np.median(x)), 0.0])
+    found = _points(t, x - base[0], period)
+    if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
+        slope, level = np.polyfit(t - t[0], x, 1)
+        base = np.array([level, slope])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    # Each pass leaves a fraction of the offset: extremes about a wrong base line are moved by it.
+    for _ in range(2):
+        base = base + _base_line(found, t[0])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    return found, base
 
 
 def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: float) -> _Points:
