@@ -200,13 +200,13 @@ class Oscillator(Shown):
     law
         exponent -> b in N (s/m)^alpha, or a law, whose strengths are read as b, whatever they were before
     mass
-        m in kg, > 0
+        m in kg, or with its unit ("200 g"), > 0
     stiffness
-        k in N/m, > 0
+        k in N/m, or with its unit ("20 N/cm"), > 0
     x0
-        the place at the start in m; in rad for a pendulum
+        the place at the start in m, in rad for a pendulum, or with its unit: "5 cm", "20 deg"
     v0
-        the speed at the start in m/s
+        the speed at the start in m/s, in rad/s for a pendulum, or with its unit: "3 cm/s"
     spring
         springs beside the linear one, as of ``Law``, c in N/m^P
 
@@ -238,14 +238,15 @@ class Oscillator(Shown):
         if isinstance(law, _Sum) and any(isinstance(t.strength, Scaled) for t in law.terms):
             raise InputError("law", "its strengths belong to another oscillator", "strengths b as exact numbers")
         given: dict[str, Any] = {"mass": mass, "stiffness": stiffness, "x0": x0, "v0": v0}
-        values = {name: exact_number(value, name) for name, value in given.items()}
+        physical = PhysicalLaw(law, spring)
+        units = {"x0": _unit(physical), "v0": f"{_unit(physical)}/s"}
+        values = {name: exact_number(value, name, units.get(name, "")) for name, value in given.items()}
         for name in ("mass", "stiffness"):
             if not values[name] > 0:
                 raise InputError(name, f"{values[name]} is not positive", "a positive number")
         # Exact numbers: whether the motion starts at all is decided, not estimated.
         if values["x0"].is_zero and values["v0"].is_zero:
             raise InputError("x0", "with x0 = 0 and v0 = 0 nothing moves", "a start away from rest at the origin")
-        physical = PhysicalLaw(law, spring)
         for name, value in {"law": physical, **values, "notes": physical.notes + float_notes(**given)}.items():
             object.__setattr__(self, name, value)
 
@@ -327,7 +328,7 @@ class Oscillator(Shown):
     @property
     def unit(self) -> str:
         """The unit of x, "m", or "rad" for a pendulum, whose restoring force is the sine of x."""
-        return "rad" if any(t.family for t in self.law.springs) else "m"
+        return _unit(self.law)
 
     def _letters(self) -> dict[str, str]:
         return {"x": f"displacement in {self.unit}"}
@@ -336,6 +337,10 @@ class Oscillator(Shown):
         mass = {"1": ""}.get(str(self.mass), latex(self.mass) + r"\,")
         force = signed_sum((Term(self.stiffness, 0, 1, "position"), *self._forces()), latex=True)
         return rf"{mass}\ddot x + {force} = 0"
+
+
+def _unit(law: _Sum) -> str:
+    return "rad" if any(t.family for t in law.springs) else "m"
 
 
 def _require_balls(**values: Any) -> None:

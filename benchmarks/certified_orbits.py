@@ -4,7 +4,7 @@ Enclosures only: neither coefficients (stated beside; panels of interpolation, o
 Processor time, because the tables are ratios.
 
 >>> run(20).columns
-('what', 'coefficients', 'orbit', 'ratio')
+('what', 'coefficients', 'orbit', 'of the first')
 """
 
 from collections.abc import Callable
@@ -31,7 +31,7 @@ CASES = (
 )  # fmt: skip
 SMALL = 100
 """Below this size only the first case runs: the coefficients cost the same at any size."""
-_TITLE, _COLUMNS = "Certified orbits", ("what", "coefficients", "orbit", "ratio")
+_TITLE, _COLUMNS = "Certified orbits", ("what", "coefficients", "orbit", "of the first")
 
 
 def run(size: int = 1000) -> Table:

@@ -30,5 +30,7 @@ def run(size: int = 60) -> Table:
                 numbers = (seconds_text(said), seconds_text(taken), f"{said / taken:.2g}")
                 rows.append((str(law), str(request.count), route.name, *numbers))
     return Table(
-        "Estimates of costs beside processor time", ("law", "points", "route", "said", "taken", "ratio"), tuple(rows)
+        "Estimates of costs beside processor time",
+        ("law", "points", "route", "said", "taken", "said/taken"),
+        tuple(rows),
     )

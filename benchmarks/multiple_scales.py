@@ -101,4 +101,4 @@ def run(size: int = 3) -> Table:
     for name, law in list({"x'^3": "v**3", "x'|x'|": "v * Abs(v)"}.items())[: max(1, size - 1)]:
         peer = ask(ASYMPTOTIC.format(law=law))
         found.append((f"{name}, order 2, asymptotic: {peer.get('said', 'no answer')}", peer["seconds"]))
-    return Table("Multiple scales, whole processes", ("what", "seconds", "ratio"), tuple(with_ratios(found)))
+    return Table("Multiple scales, whole processes", ("what", "seconds", "of the first"), tuple(with_ratios(found)))

@@ -28,8 +28,10 @@ IN_PAGES = {
     "kafe2": ("2.11.0", ("docs/theory/identifiability.md", "docs/tutorials/phone.md", "docs/tutorials/ship.md")),
     "rolldecay-estimators": ("0.6.0", ("docs/theory/identifiability.md", "docs/tutorials/ship.md")),
 }
-"""Peers that no benchmark asks: their numbers in pages were found by hand, in the environment of the lock, with these
+"""Peers of which pages have numbers, those of tutorials found by hand: in the environment of the lock, with these
 versions."""
+_IMPORTED = {"rolldecay-estimators": "rolldecayestimators"}
+"""Peers that are imported by another name than they are installed by."""
 _NOWHERE = Path("no peers")
 _WAYS = "`make benchmarks`, which installs them, or --no-peers"
 CLOCK = """
@@ -40,7 +42,7 @@ def best(work, repeats=3):
     for _ in range(repeats):
         start = process_time(); result = work(); times.append(process_time() - start)
     return min(times), result
-globals().update(json.loads(sys.argv[1]))
+globals().update(json.load(sys.stdin))
 """
 
 
@@ -49,9 +51,9 @@ def ask(code: str, *, python: str | Path = "", timeout: float = TIMEOUT, **argum
     program = str(python or PYTHON)
     if shutil.which(program) is None:
         return {"seconds": None}
-    command = [program, "-c", CLOCK + code + "\nprint(json.dumps(answer))", json.dumps(arguments)]
+    command, told = [program, "-c", CLOCK + code + "\nprint(json.dumps(answer))"], json.dumps(arguments)
     try:
-        run = subprocess.run(command, capture_output=True, text=True, timeout=timeout, check=False)
+        run = subprocess.run(command, input=told, capture_output=True, text=True, timeout=timeout, check=False)
     except subprocess.TimeoutExpired:
         return {"seconds": inf}
     if run.returncode:
@@ -88,7 +90,7 @@ def require(names: Sequence[str]) -> None:
         return
     if shutil.which(str(PYTHON)) is None:
         raise InputError("--no-peers", f"the peers ({', '.join(names)}) have no environment", _WAYS)
-    failed = [f"{name}: {why}" for name in names if (why := _unusable(name)) is not None]
+    failed = [f"{name}: {why}" for name in names if (why := _unusable(_IMPORTED.get(name, name))) is not None]
     if failed:
         raise InputError("--no-peers", "missing peers; " + "; ".join(failed), _WAYS)
 

@@ -103,3 +103,12 @@ asserts(
     "Near miss, the rate p for both: from rest backwards in time the losses add to the spring",
     sympy.Gt(p + N, p, evaluate=False),
 )
+step(
+    "and by so much, f = p + N(p) for each unit of time, u and w differ from those on the way: w adds up to at most",
+    sympy.Integral(w + x * (p + N), (x, 0, d)),
+    d * w + d**2 * (p + N) / 2,
+)
+asserts(
+    "Near miss, w at t alone: from rest it is 0, and the place moves all the same",
+    sympy.Gt(At(d * w + d**2 * (p + N) / 2, {w: 0}), At(d * w, {w: 0}), evaluate=False),
+)

@@ -18,7 +18,7 @@ q_x, q_y, d_x, d_y, m_x, m_y, M = sympy.symbols("q_x q_y delta_x delta_y m_x m_y
 derivation = Derivation(
     "second-order-sums",
     "The frequency of a sum of laws at second order",
-    source="theory page closed_forms; asymptotics.expansions.normal_form.symbolic.second_order_sum",
+    source="theory page closed_forms; asymptotics.expansions.normal_form.in_moments.second_order_sum",
 )
 step = derivation.step
 

@@ -7,10 +7,12 @@
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import Any
 
 from asymptotics.ask.kinds import SECONDS, Kind, Option
+from asymptotics.ask.moving import PHYSICAL, plain_list
 from asymptotics.ask.registry import loaded
 from asymptotics.ask.typed import answered
 from asymptotics.errors import InputError, UndecidedError
@@ -19,6 +21,7 @@ from asymptotics.numbers.exact import parse_real
 from asymptotics.running.budget import DEFAULT_SECONDS
 from asymptotics.running.public import limited
 from asymptotics.sweeps.grid import Point, values
+from asymptotics.terms_given import PENDULUM
 
 _WORD = re.compile(r"[a-z][a-z0-9-]{0,39}\Z")
 _FORMAL = ("expand", "half-swing")  # they need no strengths
@@ -38,12 +41,12 @@ def read_axes(command: str, arguments: list[str]) -> dict[str, tuple[str, ...]]:
                 raise InputError(text, "it has no value", "a value, a list or a range")
             value = rest.pop(0)
         given.append((name, value))
-    names = [name for name, _ in given]
+    names, frame = [name for name, _ in given], _frame(given)
     axes: dict[str, tuple[str, ...]] = {}
     for name, text in given:
         repeated = names.count(name) > 1 and name
         label = f"{name}.{1 + sum(key.startswith(name + '.') for key in axes)}" if repeated else name
-        axes[label] = _axis(command, name, text)
+        axes[label] = _axis(command, name, text, frame)
     return axes
 
 
@@ -64,7 +67,13 @@ def takes_no_value(command: str, name: str) -> bool:
     return not _option(command, name)[1].letter
 
 
-def _axis(command: str, name: str, text: str) -> tuple[str, ...]:
+def _frame(given: Iterable[tuple[str, str]]) -> dict[str, bool]:
+    """What units starts may have beside these options."""
+    options = [(name.partition(".")[0], text) for name, text in given]
+    return {"physical": any(name in PHYSICAL for name, _ in options), "pendulum": ("spring", PENDULUM) in options}
+
+
+def _axis(command: str, name: str, text: str, frame: dict[str, bool]) -> tuple[str, ...]:
     if name and takes_no_value(command, name):
         return ("",)
     # The colon of a force is not that of a range: the powers are cut off first.
@@ -77,13 +86,13 @@ def _axis(command: str, name: str, text: str) -> tuple[str, ...]:
                 argument = f"--{name}" if name else "COMMAND"
                 raise InputError(argument, f"{word[:60]!r} is not a word", "the command's words, with commas")
         return words
-    return values(text, f"--{name}")
+    return values(plain_list(text, name, **frame), f"--{name}")
 
 
 def _forces(command: str, name: str, text: str) -> tuple[str, ...]:
     """A term with a list or a range of strengths, A:E,E,... or A,M:start:stop:step; the powers are one pair."""
     powers, colon, strengths = text.partition(":")
-    if text == "pendulum":
+    if text == PENDULUM:
         return (text,)
     shape = ",".join(str(parse_real(power, f"--{name}")) for power in powers.split(","))
     if not colon and command not in _FORMAL:
@@ -91,14 +100,15 @@ def _forces(command: str, name: str, text: str) -> tuple[str, ...]:
     return tuple(f"{shape}:{strength}" for strength in values(strengths, f"--{name}")) if colon else (shape,)
 
 
-def point_options(command: str, row: Mapping[Any, Any]) -> Point:
-    """A row of a list of points: each cell a number, empty cells left out."""
+def point_options(command: str, row: Mapping[Any, Any], beside: Mapping[str, str] = MappingProxyType({})) -> Point:
+    """A row of a list of points: each cell a number, empty cells left out; ``beside``: options that hold for all."""
     point: Point = {}
+    frame = _frame((str(name).strip(), str(cell).strip()) for name, cell in (*beside.items(), *row.items()) if cell)
     for name, cell in row.items():
         if name is None or cell is None:
             raise InputError("--list", "a row is longer or shorter than the header", "a cell for each column")
         if cell.strip():
-            axis = _axis(command, name.partition(".")[0].strip(), cell.strip())
+            axis = _axis(command, name.partition(".")[0].strip(), cell.strip(), frame)
             if len(axis) != 1:
                 raise InputError("--list", f"{cell[:60]!r} is more than one value", "one value in a cell")
             point[name.strip()] = axis[0]

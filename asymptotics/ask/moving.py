@@ -3,9 +3,19 @@
 One rule for every command: everything is in SI as soon as --damping (b in N (s/m)^alpha), --mass or --stiffness is
 given, and then --law A:B gives b, --x0 metres and --v0 metres per second.  Otherwise nothing has a unit: m = k = 1, the
 equation is X'' + X + sum_i E_i X'|X'|^(A_i-1) = 0 as it is typed, and starts at X(0) = x0 (1), X'(0) = v0 (0).
+What is in SI may have another unit, 200 g or 5 cm; of a pendulum places are angles, in rad or 20 deg, with SI or not.
+
+>>> options = argparse.Namespace(mass="200 g", x0="5 cm", v0=None, spring=None)
+>>> without_units(options).x0, options.mass
+('1/20', '1/5')
+>>> without_units(argparse.Namespace(epsilon="1/10", x0="5 cm"))
+Traceback (most recent call last):
+    ...
+asymptotics.errors.InputError: argument --x0: '5 cm' has the unit cm, and a law alone has none: ...
 """
 
 import argparse
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -13,21 +23,26 @@ from typing import Any
 from asymptotics.ask.answers import Request
 from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import Kind
-from asymptotics.errors import InputError
+from asymptotics.ask.pairs import Pair, excludes
+from asymptotics.errors import InputError, shown
 from asymptotics.frames import BARE, frame_of
 from asymptotics.law import Law, Oscillator
 from asymptotics.law_given import Given
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.numbers.policy import exact_number
+from asymptotics.numbers.quantities import in_si, unit_behind
 from asymptotics.present.drawn import Drawn
+from asymptotics.terms_given import PENDULUM
 
-OVERLAY = "with --plot: another law in the same picture, A:B or A:B+A:B; repeat it"
+OVERLAY = "another law in the same picture, A:B or A:B+A:B; repeat it"
 PHYSICAL = ("damping", "mass", "stiffness")
+_WITH_UNITS = ("x0", "v0", "time")
+"""What has a unit beside one of those."""
 QUANTITIES = {
     "mass": ("M", "1", "the mass in kg"),
     "stiffness": ("K", "1", "the stiffness in N/m"),
-    "x0": ("X", "1", "the displacement at t = 0, in m beside SI units"),
-    "v0": ("V", "0", "the velocity at t = 0, in m/s beside SI units"),
+    "x0": ("X", "1", 'the displacement at t = 0, beside SI units in m or with its unit: "5 cm"'),
+    "v0": ("V", "0", 'the velocity at t = 0, beside SI units in m/s or with its unit: "3 cm/s"'),
 }
 
 
@@ -51,20 +66,59 @@ def is_physical(options: argparse.Namespace) -> bool:
     return any(getattr(options, name, None) is not None for name in PHYSICAL)
 
 
-def read_oscillator(
-    options: argparse.Namespace, strength: str = "damping", *, epsilon_beside_units: bool = False
-) -> Given:
-    """The oscillator of the options; InputError for --epsilon and units at once.
+def unit_pairs(*units: str) -> tuple[Pair, ...]:
+    """b and epsilon say the same thing, each in its units: --epsilon is refused beside these."""
+    accepted = "--epsilon alone, or --damping instead"
+    return (excludes("epsilon", " ".join(units or PHYSICAL), "it has no units, and {other} has", accepted),)
 
-    ``strength``: what is said to be missing when there is none.  ``epsilon_beside_units``: with a mass or a stiffness
-    --epsilon is the dimensionless strength of the oscillator in SI; InputError if the b of that is no exact number.
+
+def without_units(options: argparse.Namespace) -> argparse.Namespace:
+    """The same options with plain numbers in the place of those with a unit; InputError for a unit that has no place.
+
+    Done once, where words become options, so that headers of files and points of a sweep hold numbers.
+    """
+    physical, springs = is_physical(options), getattr(options, "spring", None) or []
+    for name in (*_WITH_UNITS, "mass", "stiffness"):
+        text = getattr(options, name, None)
+        if isinstance(text, str):
+            setattr(options, name, plain_number(text, name, physical=physical, pendulum=PENDULUM in springs))
+    return options
+
+
+def plain_number(text: str, name: str, *, physical: bool, pendulum: bool) -> str:
+    """A number typed at the option ``name``, without its unit; any text without one as it is."""
+    place = "rad" if pendulum else "m" if physical else ""
+    unit = {"x0": place, "v0": f"{place}/s" if physical else "", "time": "s" if physical else ""}.get(name, "")
+    known = unit_behind(text) if len(text) <= 100 else ""
+    if known and not unit and name in _WITH_UNITS:
+        reason = f"{shown(text)} has the unit {known}, and a law alone has none: x0 is its unit of x, 1/omega_0 of t"
+        raise InputError(f"--{name}", reason, "a plain number; or --mass, --stiffness or --damping with it: SI units")
+    found = in_si(text, f"--{name}", unit) if known else None
+    return text if found is None else str(found)
+
+
+def plain_list(text: str, name: str, *, physical: bool, pendulum: bool) -> str:
+    """The same of a list or a range of a sweep; InputError where only some of its numbers have a unit.
+
+    >>> plain_list("5 cm,6 cm", "x0", physical=True, pendulum=False)
+    '1/20,3/50'
+    """
+    parts = re.split("([,:])", text)
+    plain = [plain_number(part, name, physical=physical, pendulum=pendulum) for part in parts]
+    if len({before == after for before, after in zip(parts[::2], plain[::2])}) > 1:
+        reason = f"of the numbers in {shown(text)} some have a unit and others none"
+        raise InputError(f"--{name}", reason, "each with its unit: 5 cm,6 cm; decimals have a point")
+    return "".join(plain)
+
+
+def read_oscillator(options: argparse.Namespace, strength: str = "damping") -> Given:
+    """The oscillator of the options; --epsilon and units at once are refused before (``unit_pairs``).
+
+    ``strength``: what is said to be missing when there is none.  Where --epsilon stands beside a mass or a stiffness it
+    is the dimensionless strength of the oscillator in SI; InputError if the b of that is no exact number.
     """
     given = [name for name in QUANTITIES if getattr(options, name, None) is not None]
     si, named = is_physical(options), options.epsilon is not None
-    # b and epsilon say the same thing, each in its units: both at once would be one too many.
-    if named and si and (options.damping is not None or not epsilon_beside_units):
-        other = next(name for name in PHYSICAL if getattr(options, name) is not None)
-        raise InputError("--epsilon", f"it has no units, and --{other} has", "--epsilon alone, or --damping instead")
     if options.alpha is not None and not (named or si or options.law):
         raise InputError("--epsilon", "is missing", "--epsilon E, without units; or --damping B in N (s/m)^alpha")
     # Under the name by which it was given, or would have to be given: an error names that option.
@@ -90,8 +144,8 @@ def _rests(options: argparse.Namespace) -> bool:
 
 
 def require_stretch(request: Request) -> None:
-    """InputError for a picture or a table of a curve without a time > 0 at which it ends."""
-    if request.has_files and (request["time"] is None or not request["time"] > 0):
+    """InputError for a picture or a table of a curve that ends where it begins."""
+    if request.has_files and not request["time"] > 0:
         raise InputError("--time", "there is no stretch of time to draw", "a time > 0 with --plot or --csv")
 
 

@@ -71,6 +71,16 @@ def local_strengths(given: GivenTerms) -> list[tuple[str, str, str]]:
     return deltas
 
 
+def delta_meaning(deltas: Sequence[tuple[str, str, str]]) -> dict[str, str]:
+    """What the page says of the letter delta, of each force its own.
+
+    >>> delta_meaning([("delta_1", "x'|x'|", "epsilon_1 A"), ("delta_2", "(sin x - x)", "A^2")])
+    {'\\\\delta': "local strength: delta_1 = epsilon_1 A of x'|x'|, delta_2 = A^2 of (sin x - x)"}
+    """
+    each = ", ".join(f"{name} = {value} of {force}" for name, force, value in deltas)
+    return {r"\delta": f"local strength: {each}"}
+
+
 def _power(weight: str) -> str:
     """A to a power, as it is written."""
     return {"0": "", "1": " A"}.get(weight, f" A^{weight}" if weight.isdigit() else f" A^({weight})")

@@ -17,6 +17,7 @@ from functools import cached_property, lru_cache
 from typing import Any, NoReturn
 
 from asymptotics.ask.answers import Request
+from asymptotics.ask.moving import without_units
 from asymptotics.ask.question import Question
 from asymptotics.ask.registry import ANSWERING, loaded
 from asymptotics.errors import InputError, shown
@@ -43,7 +44,7 @@ def parser_of(name: str) -> argparse.ArgumentParser:
 def typed_options(name: str, point: Mapping[str, str]) -> argparse.Namespace:
     """The options as if they had been typed; InputError for one that is unknown, or missing."""
     flags = [v if not n else f"--{n.partition('.')[0]}" + (f"={v}" if v else "") for n, v in point.items()]
-    return parser_of(name).parse_args(flags)
+    return without_units(parser_of(name).parse_args(flags))
 
 
 @dataclass(frozen=True)

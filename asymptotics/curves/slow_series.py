@@ -216,9 +216,9 @@ def _coefficient(c: Any, digits: int) -> Coefficient | None:
         return None if text is None else Coefficient(text, None)
     number = c if isinstance(c, PiNumber) else PiNumber.rational(c)
     if number.is_rational:  # integer arithmetic decides ties as well
-        return Coefficient(rational_decimal(to_fraction(number.as_rational()), digits), number.to_sympy())
+        return Coefficient(rational_decimal(to_fraction(number.as_rational()), digits), number.closed())
     text = decimal_of_ball(number.ball(), digits)
-    return None if text is None else Coefficient(text, number.to_sympy())
+    return None if text is None else Coefficient(text, number.closed())
 
 
 def _row(numbers: dict[int, Coefficient]) -> dict[tuple[int, ...], Coefficient]:

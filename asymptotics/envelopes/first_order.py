@@ -28,7 +28,7 @@ from asymptotics.envelopes import certified
 from asymptotics.envelopes.numeric import Array, NumericEnvelope
 from asymptotics.envelopes.symbolic import MEAN, SQUARING, require_averaging
 from asymptotics.errors import InputError
-from asymptotics.expansions.moments.written import integer_moment
+from asymptotics.expansions.moments.exact import integer_moment
 from asymptotics.law import Oscillator
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal

@@ -13,7 +13,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from asymptotics.decays.records.units import ANGLES, LENGTHS
 from asymptotics.equivalent.result import EquivalentDamping
 from asymptotics.equivalent.rows import DampingRow, row_at
 from asymptotics.equivalent.symbolic import closed_forms
@@ -21,6 +20,7 @@ from asymptotics.errors import InputError, shown
 from asymptotics.frames import Frame
 from asymptotics.law import Oscillator
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.quantities import ANGLES, LENGTHS
 from asymptotics.running.cut_short import keeping
 
 # The start and what three halvings leave of it: enough to see how Q changes with the amplitude.
@@ -80,7 +80,7 @@ def _size(unit: str, oscillator: Oscillator, frame: Frame, *, given: bool) -> Ex
         raise InputError("unit", f"{shown(unit)} is no unit of these amplitudes", accepted)
     if unit and not given:
         raise InputError("amplitudes", "there is none in this unit", f"amplitudes in {unit}")
-    # Exactly, so that 10 deg is the same number whatever precision comes next (pi to 130 digits, ``records.units``).
+    # Exactly, so that 10 deg is the same number whatever precision comes next (pi to 130 digits, ``quantities``).
     return ExactReal(known.get(unit, Fraction(1)))
 
 

@@ -133,8 +133,11 @@ class CertifiedFlow:
         yield from ()
         return None
 
-    def read_off(self, _u: arb, _first: "DeparturePiece", _given: arb) -> "Piece | None":
-        """The piece after departing from rest at u, if known without steps; may begin earlier.  Its flow goes on."""
+    def read_off(self, _u: arb, _given: arb) -> "tuple[LocalExpansion, Piece] | None":
+        """A piece after departing from rest at u that is known without steps, and the expansion up to it.
+
+        Its flow goes on.
+        """
         return None
 
     def exact(self, _n: int) -> tuple[Fraction, bool] | None:
@@ -269,9 +272,10 @@ def half_swing_pieces(
     # The powers of w have no Taylor series in the time at rest.  A creep from rest is caught first, and never expanded.
     if w == 0:
         yield from flow.along_slow_curve(here, _ended(flow, unit, here))
-        first = _departure(flow, unit, here)
-        known, reach = flow.read_off(u, first, error), first.expansion.reach
+        nearest, known = flow.read_off(u, error) or (None, None)
+        first = _departure(flow, unit, here, nearest)
         yield from (first,) if known is None else (replace(first, end=known.begin), known)
+        reach = first.expansion.reach
         here = after(*((known, *known.own(known.end)) if known else (first, first.expansion.state(reach)[0], reach)))
         flow = known.flow if known else flow
     ended: str | None = None
@@ -336,12 +340,14 @@ def _at_a_kink(here: FlowState, step: Step, scale: arb) -> FlowState:
     return here
 
 
-def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> DeparturePiece:
+def _departure(
+    flow: CertifiedFlow, unit: arb, here: FlowState, nearest: LocalExpansion | None = None
+) -> DeparturePiece:
     place, force = flow.place(here.u), flow.force
     # For the true start as well: s_0 > 0 is what makes the mass leave, and P_0 = s_0 divides in the expansion.
     if not force.restoring(place + arb(0, upper(here.errors.error / unit))) > 0:
         raise UndecidedError("whether dry friction holds the mass here is undecided")
-    expansion = flow.expansion(place)
+    expansion = flow.expansion(place) if nearest is None else nearest
     end, tau = expansion.state(expansion.reach)
     if force.kinked and not end > 0:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")

@@ -6,21 +6,17 @@
 '\\\\frac{\\\\sqrt{2}}{3}'
 """
 
-from fractions import Fraction
+from fractions import Fraction as Fraction  # for the examples
 
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.numbers.gamma_sums import GammaSum
+from asymptotics.numbers.rationals import to_fmpq
 
 
 def latex(x: ExactReal) -> str:
     """The number in LaTeX."""
     if x.is_rational:
-        return _rational(x.rational)
+        return GammaSum.rational(to_fmpq(x.rational)).latex()
     from asymptotics.numbers.bridge import in_latex  # noqa: PLC0415 (SymPy takes a quarter of a second)
 
     return in_latex(x)
-
-
-def _rational(q: Fraction) -> str:
-    if q.denominator == 1:
-        return str(q.numerator)
-    return ("- " if q < 0 else "") + rf"\frac{{{abs(q.numerator)}}}{{{q.denominator}}}"

@@ -41,13 +41,14 @@ _MAX_DIGITS = 1000  # as for text: reading a number must not exhaust the machine
 _TOO_LARGE = 10**_MAX_DIGITS
 
 
-def exact_number(value: Any, argument: str) -> ExactReal:
+def exact_number(value: Any, argument: str, unit: str = "") -> ExactReal:
     """``value`` as an exact real number; InputError names ``argument`` for everything that is not one.
 
+    ``unit``: that of SI in which it is, so that "5 cm" is a number too; some names have one always (``quantities``).
     The one gate for foreign objects: what calls itself a number may fail in any way when it is asked for its value.
     """
     try:
-        return _read(value, argument)
+        return _read(value, argument, unit)
     # A LimitError of the time is an InputError, and a lack of memory says nothing about the value: both go through.
     except (InputError, MemoryError):
         raise
@@ -99,18 +100,19 @@ def double_of(number: ExactReal) -> float:
     return float(number.rational if number.is_rational else number.ball().mid())
 
 
-def _read(value: Any, argument: str) -> ExactReal:
+def _read(value: Any, argument: str, unit: str) -> ExactReal:
     if isinstance(value, ExactReal):
         return value
     if isinstance(value, str):
-        known = in_si(value, argument) if len(value) <= 100 else None
+        known = in_si(value, argument, unit) if len(value) <= 100 else None
         return parse_real(value, argument) if known is None else ExactReal(known)
     if hasattr(value, "magnitude") and hasattr(value, "to"):
-        number = magnitude(value, argument)
-        if number is None:
+        found = magnitude(value, argument, unit)
+        if found is None:
             said = "a quantity with a unit, which is no part of this number"
             raise InputError(argument, said, "its magnitude in the unit that is asked for")
-        return _read(number, argument)
+        number, size = found
+        return _read(number, argument, unit) * ExactReal(size)
     # Before the integers, among which Python counts True and False.
     if isinstance(value, bool):
         raise InputError(argument, f"{value} is a bool, not a number", REAL_FORMS)

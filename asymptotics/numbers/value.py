@@ -1,7 +1,8 @@
 """One number that was computed: correctly rounded digits, and its exact form where one is known.
 
 It is handed out by name, so that nothing is lost without a word: as text, as an mpmath number, as an mpmath interval
-that contains the true value, as SymPy, as Fraction, as float.
+that contains the true value, as SymPy, as Fraction, as float.  An exact form that is given as a ``GammaSum`` writes
+itself, and becomes SymPy's expression when that is asked for.
 
 >>> import sympy
 >>> c = Coefficient("0.424413181578", sympy.Rational(4, 3) / sympy.pi)
@@ -21,11 +22,12 @@ from fractions import Fraction
 from operator import add, mul, sub
 from typing import TYPE_CHECKING, Any
 
-from flint import arb
+from flint import arb, fmpq
 
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.decimals import rational_decimal
 from asymptotics.numbers.digits import ball_of, interval_of, spread
+from asymptotics.numbers.gamma_sums import GammaSum
 from asymptotics.numbers.policy import exact_integer, exact_number
 from asymptotics.numbers.rationals import decimal_fraction
 from asymptotics.present.shown import Page, Shown
@@ -39,7 +41,13 @@ _MAX_POWER = 1000  # a choice: more leaves no digit of most numbers
 
 @dataclass(frozen=True)
 class Coefficient(Shown):
-    """Correctly rounded digits ``value`` (None for a symbolic exponent) and the exact form (None if none is known)."""
+    """Correctly rounded digits ``value`` (None for a symbolic exponent) and the exact form (None if none is known).
+
+    >>> from asymptotics.numbers.gamma_sums import GammaSum
+    >>> c = Coefficient("0.25", GammaSum.rational(1) / 4)
+    >>> c.exact, "expression" in vars(c), c.expression, "expression" in vars(c)
+    ('1/4', False, 1/4, True)
+    """
 
     value: str | None
     expression: "Expr | None"
@@ -48,22 +56,37 @@ class Coefficient(Shown):
     def __post_init__(self) -> None:
         if self.value is not None and not isinstance(self.value, str):
             raise InputError("value", f"{shown(self.value)} is no text", "decimal digits, or None")
-        if self.expression is not None and not _is_expression(self.expression):
+        form: Any = self.expression
+        if isinstance(form, GammaSum):
+            # Kept beside it: the field itself is made when it is asked for.
+            self.__dict__["_form"] = form
+            del self.__dict__["expression"]
+        elif form is not None and not _is_expression(form):
             raise InputError("expression", f"{shown(self.expression)} is not SymPy's", "a SymPy expression, or None")
 
     def __getattr__(self, name: str) -> Any:
-        made = self.__dict__.get("_made") if name == "expression" else None
-        if made is None:
+        form = self.__dict__.get("_form") if name == "expression" else None
+        if form is None:
             raise AttributeError(f"a Coefficient has no {name}")
         # Kept, as any field is.
-        self.__dict__["expression"] = found = made()
+        self.__dict__["expression"] = found = form.to_sympy()
         return found
+
+    @property
+    def _exact_form(self) -> Any:
+        """The exact form as it was given, or None."""
+        return self.__dict__.get("_form") or self.expression
 
     @property
     def exact(self) -> str | None:
         """The exact form as text that SymPy reads."""
-        text: str | None = self.__dict__.get("_exact")
-        return text if text is not None or self.expression is None else str(self.expression)
+        return None if self._exact_form is None else str(self._exact_form)
+
+    @property
+    def is_sum(self) -> bool:
+        """Whether the exact form is a sum, which needs brackets before a power."""
+        form = self._exact_form
+        return form.is_sum if isinstance(form, GammaSum) else form is not None and bool(form.is_Add)
 
     @property
     def is_zero(self) -> bool:
@@ -160,7 +183,7 @@ class Coefficient(Shown):
         return float(self.text())
 
     def __str__(self) -> str:
-        return self.value or str(self.expression)
+        return self.value or str(self.exact)
 
     def to_dict(self) -> dict[str, str | None]:
         """Digits and exact form as text."""
@@ -172,25 +195,14 @@ class Coefficient(Shown):
         return Page(str(self), (*exact, claim, *self.notes))
 
     def _formula(self) -> str:
-        if self.expression is None:
+        form = self._exact_form
+        if form is None:
             return str(self.value)
+        if isinstance(form, GammaSum):
+            return form.latex()
         from sympy import latex  # noqa: PLC0415 (SymPy)
 
-        return str(latex(self.expression))
-
-
-def with_text(value: str, exact: str, made: "Callable[[], Expr]") -> Coefficient:
-    """Digits with the exact form as text, which must be that of the expression: SymPy makes it when it is asked for.
-
-    >>> import sympy
-    >>> c = with_text("0.318", "1/pi", lambda: 1 / sympy.pi)
-    >>> c.exact, "expression" in vars(c), c.expression, c == Coefficient("0.318", 1 / sympy.pi)
-    ('1/pi', False, 1/pi, True)
-    """
-    found = Coefficient(value, None)
-    del found.__dict__["expression"]
-    found.__dict__.update(_exact=exact, _made=made)
-    return found
+        return str(latex(form))
 
 
 def _is_expression(value: object) -> bool:
@@ -215,6 +227,13 @@ def number_of(found: Any, name: str) -> Coefficient:
     if not found.certified:
         raise InputError("name", f"{name} is not certified: no interval is known to hold it", "a certified result")
     return Coefficient(getattr(found, name), None)
+
+
+def as_rational(form: Any) -> fmpq | None:
+    """The rational that an exact form is, of a ``GammaSum`` or an expression of SymPy; None where none is known."""
+    if isinstance(form, GammaSum):
+        return form.as_rational
+    return fmpq(int(form.p), int(form.q)) if form is not None and form.is_Rational else None
 
 
 def coefficient_columns(found: Sequence[Coefficient]) -> dict[str, list[Any]]:

@@ -3,8 +3,9 @@
 The half-swing from p to q is the quarter at z and that at z' = -z (q/p)^g, backwards in time from its end: s before
 the end the place is -q r cos(theta) and the speed q r sin(theta), r and theta at the time s of that quarter.
 
-At the time s any t of a quarter serves: the motion moves by at most |s - tau(t)| times its largest rates from where it
-is at t, |X'| <= p and |X''| <= p + N(p), as the energy falls (derivation ``quarter-courses``).
+At the time s any t of a quarter serves: in d = s - tau(t) the place and the speed move by d times the means of their
+rates -w and u - N(w).  On the way u and w are within |d| f of those at t, their means within |d| f/2: as the energy
+falls, f = p + N(p) is at least |X'| and |X''| (derivation ``quarter-courses``).
 """
 
 from collections.abc import Sequence
@@ -14,6 +15,7 @@ from typing import Protocol
 from flint import arb
 
 from asymptotics.flow.balls import upper
+from asymptotics.flow.damping import Damping
 
 
 class TimedQuarter(Protocol):
@@ -30,7 +32,7 @@ class TimedQuarter(Protocol):
 class Course:
     """A half-swing of the ``duration`` from the amplitude ``p`` to ``q``, whose quarters meet at about ``centre``.
 
-    ``begin`` and ``end``: where its quarters begin and end; ``fastest``: of |X'| and |X''|.
+    ``begin`` and ``end``: where its quarters begin and end; ``fastest``: of |X'| and |X''| under the ``damping``.
     """
 
     before: TimedQuarter
@@ -41,24 +43,33 @@ class Course:
     centre: arb
     begin: arb
     end: arb
+    damping: Damping
     fastest: arb
 
     @classmethod
-    def of(cls, before: TimedQuarter, after: TimedQuarter, p: arb, q: arb, duration: arb, rest: arb) -> "Course":
-        """``rest``: a bound of N(p)."""
+    def of(cls, before: TimedQuarter, after: TimedQuarter, p: arb, q: arb, duration: arb, damping: Damping) -> "Course":
+        """What follows from its two quarters."""
         first, last = before.time(arb(-1)).upper(), (duration - after.time(arb(-1))).lower()
-        return cls(before, after, p, q, duration, before.time(arb(1)).mid(), first, last, upper(p + rest))
+        centre, fastest = before.time(arb(1)).mid(), upper(p + damping.resistance(p))
+        return cls(before, after, p, q, duration, centre, first, last, damping, fastest)
 
     def states(self, times: Sequence[arb]) -> list[tuple[arb, arb]]:
         """(place, w) at ascending times (balls) from ``begin`` to ``end``."""
         first = [t for t in times if t.mid() <= self.centre]
         last = [self.duration - t for t in times[len(first) :]]
-        return self._near(self.before, first, self.p, self.p) + self._near(self.after, last, -self.q, self.q)
+        return self._near(self.before, 1, first, self.p, self.p) + self._near(self.after, -1, last, -self.q, self.q)
 
-    def _near(self, quarter: TimedQuarter, times: Sequence[arb], unit: arb, pace: arb) -> list[tuple[arb, arb]]:
-        """Where the quarter is near each time, and how far the motion at that time is from there."""
+    def _near(
+        self, quarter: TimedQuarter, sense: int, times: Sequence[arb], unit: arb, pace: arb
+    ) -> list[tuple[arb, arb]]:
+        """Where the quarter is near each time, led on to that time; ``sense``: -1 backwards in time."""
         found = []
         for s, (x, y, time) in zip(times, quarter.near([s.mid() for s in times]), strict=True):
-            off = arb(0, upper((s - time) * self.fastest))
-            found.append((unit * x + off, pace * y + off))
+            late, u, w = sense * (s - time), unit * x, pace * y
+            # How far the means of u and w over the way are from here: half as far as they may be at its end.
+            mean = arb(0, upper(late * self.fastest / 2))
+            widest = w + 2 * mean
+            # Next to rest the speed may vanish on the way; then the largest rate serves.
+            slope = u + mean - self.damping.resistance(widest) if widest > 0 else arb(0, self.fastest)
+            found.append((u - late * (w + mean), w + late * slope))
         return found

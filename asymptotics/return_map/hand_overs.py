@@ -149,10 +149,10 @@ def _hand_over(laws: Sequence[tuple[Damping, int]]) -> arb:
 
 def doubles(rows: Iterable[Iterable[arb]]) -> Array:
     """The midpoints of the balls in rows."""
-    return np.array([[float(x.mid()) for x in row] for row in rows])
+    return np.array([[float(x) for x in row] for row in rows])
 
 
 def largest(values: Iterable[arb]) -> arb:
     """An upper bound of all absolute values."""
     with ctx.workprec(_LOW):
-        return reduce(arb.max, (abs(x).upper() for x in values))
+        return reduce(arb.max, (x.abs_upper() for x in values))

@@ -277,7 +277,7 @@ class Panels:
         if courses is None or found is None or found.amplitude is None or found.duration is None:
             return None
         quarters = courses.quarter(z), courses.quarter(-z * found.amplitude**root)
-        return Course.of(*quarters, p, p * found.amplitude, found.duration, self.damping.resistance(p))
+        return Course.of(*quarters, p, p * found.amplitude, found.duration, self.damping)
 
     def place(self, p: arb) -> arb:
         """z at an amplitude > 0 of this law, in the unit of the ray."""

@@ -124,8 +124,8 @@ class NodeGrid:
                 square = e * e
                 below = 1 / (1 + square)
                 s = 2 * e * below
-                ln_s, hs = s.log(), h * s
-                drags = tuple(strengths[i] * (a * ln_s).exp() for i, a in moving)
+                hs = h * s
+                drags = tuple(strengths[i] * s**a for i, a in moving)
                 column.append((hs, hs * s, (1 - square) * below, linear * s, drags))
             places.append(tuple(column))
         return cls(bundle, count, tuple(a - 1 for _, a in moving), tuple(places))
@@ -153,28 +153,28 @@ class NodeGrid:
 
 def found(grid: NodeGrid, bits: int) -> arb_mat:
     """f at the nodes, nearly: exact numbers, corrected in doubles until that is enough."""
-    in_doubles, g0, m = grid.bundle.in_doubles, grid.bundle.g0, grid.count
-    values, sums = analysis(m, ctx.prec), integrals(m, ctx.prec)
-    g = [[arb(float(x)) for x in row] for row in in_doubles.solved(m)]
+    in_doubles, m = grid.bundle.in_doubles, grid.count
+    values, sums = analysis(m, ctx.prec), arb_mat(integrals(m, ctx.prec).table()[:m])
+    g0, g = arb_mat([list(grid.bundle.g0)] * m), arb_mat(in_doubles.solved(m).tolist())
     for k in range(1, 3 + bits // _GAIN):
         tick("quarter-swings by collocation")
         # Iterative refinement: the residual g_0 + integral of f - g in balls, scaled up until a double holds it, the
         # linear equation for the correction solved in doubles.
-        unit, rates = arb(2) ** (-k * _GAIN), arb_mat(grid.rates(g)).mid()
-        reached = (sums * (values * rates)).table()
-        missing = doubles([(a + x - y) / unit for a, x, y in zip(g0, *rows)] for rows in zip(reached, g))
-        _, slope = in_doubles.rates(doubles(g))
+        unit, rows = arb(2) ** (-k * _GAIN), g.table()
+        rates = arb_mat(grid.rates(rows)).mid()
+        missing = doubles(((g0 + sums * (values * rates) - g) * (1 / unit)).table())
+        _, slope = in_doubles.rates(doubles(rows))
         change = corrected(slope, missing)
         # One more correction of 50 bits reaches 2^-bits; it goes into f, as P is the polynomial through f.
         if np.max(np.abs(missing)) < 2.0 ** ((k + 1) * _GAIN - bits):
-            return moved(rates.table(), slope * change, unit)
-        g = moved(g, change, unit).table()
+            return moved(rates, slope * change, unit)
+        g = moved(g, change, unit)
     raise UndecidedError("the corrections of the quarter-swings do not converge")
 
 
-def moved(rows: Rows, change: Array, unit: arb) -> arb_mat:
+def moved(rows: arb_mat, change: Array, unit: arb) -> arb_mat:
     """The rows and ``unit`` times the change."""
-    return arb_mat([[x + unit * float(e) for x, e in zip(*pair)] for pair in zip(rows, change)]).mid()
+    return (rows + arb_mat(change.tolist()) * unit).mid()
 
 
 @dataclass(frozen=True)
@@ -210,7 +210,7 @@ class Path:
         # f along G itself, at the nodes: what P misses it by there is the only thing measured; the theorem does the
         # rest.
         slopes = grid.rates(g)
-        apart = largest(x - y for pair in zip(rates.table(), slopes) for x, y in zip(*pair))
+        apart = largest((rates - arb_mat(slopes)).entries())
         with ctx.workprec(_LOW):
             columns = [of_the_integral(list(column)) for column in zip(*kept[: degree + 1])]
             # G(1) = gamma + the other coefficients, as T_k(1) = 1.

@@ -8,6 +8,7 @@ from typing import Any, NoReturn
 
 import asymptotics
 from asymptotics.ask.answers import Part, Request
+from asymptotics.ask.moving import without_units
 from asymptotics.ask.page import page_of
 from asymptotics.ask.question import Question
 from asymptotics.ask.registry import loaded
@@ -54,7 +55,7 @@ class Command:
         options = parser.parse_args(words)
         rest = next((o for o in self.question.options if o.rest), None)
         if rest is None:
-            return options
+            return without_units(options)
         own = argparse.ArgumentParser(allow_abbrev=False, add_help=False, exit_on_error=False)
         for option in (o for o in self.question.options if not o.place):
             replace(option, needed=False).add_to(own)

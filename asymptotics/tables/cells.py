@@ -61,9 +61,12 @@ def round_rows(compute: Callable[[int], Rows], digits: int, mode: str) -> tuple[
     # To the nearest the recipe has proved its rounding to these very digits.
     for guard in (0,) if mode == "nearest" else _GUARDS:
         rows = [[printed(cell, digits, mode) for cell in row] for row in compute(digits + guard)]
-        if all(cell is not None for row in rows for cell in row):
+        near = next((row for row in rows if None in row), None)
+        if near is None:
             return tuple(tuple(map(_text, row)) for row in rows)
-    raise UndecidedError(f"a value is too near to a decimal of {digits} digits to be rounded by {mode!r}")
+    before = ", ".join(map(_text, near[: near.index(None)])) if near else ""
+    reason = f"too near to a decimal of {digits} digits to be rounded by {mode!r}"
+    raise UndecidedError(f"the value after {before} is {reason}" if before else f"a value is {reason}")
 
 
 def rounded_so_far(rows: Rows, digits: int, mode: str) -> tuple[tuple[str, ...], ...]:

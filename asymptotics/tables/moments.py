@@ -6,7 +6,7 @@ from functools import partial
 from flint import arb
 
 from asymptotics.expansions.moments.certified import moment, squaring_ratio
-from asymptotics.expansions.moments.written import integer_moment
+from asymptotics.expansions.moments.exact import integer_moment
 from asymptotics.numbers.decimals import certified_decimal
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.tables.cells import Cell, Nearest

@@ -10,7 +10,6 @@ import numbers
 import operator
 import sys
 import time
-import typing
 from datetime import timedelta
 from decimal import Decimal
 from fractions import Fraction
@@ -28,6 +27,7 @@ import asymptotics as asy
 from asymptotics.errors import MAX_ACCEPTED, MAX_REASON
 from asymptotics.numbers.policy import Number
 from tests.every_call import CALLS, answered, methods, parameters
+from tests.present.every_type import hints
 from tests.worlds import OSCILLATOR as OSC
 
 FAR = range(10**18)  # more numbers than there is memory for
@@ -128,7 +128,7 @@ def refused_or_answered(call):
 def never(function, parameter):
     """Which hostile values mean nothing for a parameter, by its hint."""
     own = inspect.unwrap(function.__init__ if isinstance(function, type) else function)
-    hint = typing.get_type_hints(own, localns={"Expr": sympy.Expr}).get(parameter)
+    hint = hints(own).get(parameter)
     if hint == ArrayLike:
         return NO_NUMBERS.keys() - {*ARRAYS}
     if hint not in (int, Number, int | None, Number | None):  # a ball is never its middle

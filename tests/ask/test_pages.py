@@ -11,7 +11,8 @@ import pytest
 from asymptotics.ask.registry import QUESTIONS
 from asymptotics.errors import InputError
 from asymptotics.made_by import code
-from asymptotics.present.page import displayed, paragraphs
+from asymptotics.present.page import displayed, paragraphs, text
+from asymptotics.present.signs import signs
 from asymptotics.shell.main import main
 from tests.every_question import example
 
@@ -109,3 +110,18 @@ def test_without_the_extra_it_is_refused_by_name(monkeypatch):
 def test_a_greek_letter_without_a_meaning_is_seen():
     """latex2mathml writes them as entities: a walk over the characters alone passed them by."""
     assert unexplained(f"<p>{displayed(chr(92) + 'rho = 1')}</p>") == {"ρ"}
+
+
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("expand --alpha 2 --spring pendulum --order 2", ["epsilon_1 A of x'|x'|", "A^2 of (sin x - x)"]),
+        ("half-swing --law 2:1/10 --spring 3:1/5 --order 1", ["1/10 A of x'|x'|", "1/5 A^2 of x^3"]),
+        ("expand --alpha 3/2 --order 2", ["epsilon A^(1/2) of x'|x'|^(1/2)"]),
+    ],
+)
+def test_delta_means_what_it_is_of_each_force(tmp_path, capsys, line, meant):
+    assert main([*line.split(), "--digits=5", "--html", str(tmp_path / "page.html"), "--quiet"]) == 0
+    page = (tmp_path / "page.html").read_text()
+    assert "epsilon A^(alpha-1)" not in page
+    assert [part for part in meant if signs(text(part)) not in page] == []

@@ -14,6 +14,7 @@ from typing import Any
 import sympy
 
 import asymptotics as asy
+from asymptotics.expansions.divergence.truncation import BestOrder
 from tests.every_question import IN_PYTHON, call_of, usual
 
 PARTS = {  # what stands inside a result and is no answer of its own
@@ -144,11 +145,11 @@ def name_of(found: type) -> str:
 def samples_of(call: Callable[..., Any]) -> dict[str, str]:
     """What a question answers, by the example of its docstring, and the results that stand in its fields."""
     given = usual(call)
-    kind = _hints(inspect.unwrap(call)).get("return")
+    kind = hints(inspect.unwrap(call)).get("return")
     if given is None or not isinstance(kind, type) or not kind.__module__.startswith("asymptotics"):
         return {}
     text = f"asy.{call.__name__}({', '.join(f'{name}={value!r}' for name, value in given.items())})"
-    fields = _hints(kind).items() if is_dataclass(kind) else ()
+    fields = hints(kind).items() if is_dataclass(kind) else ()
     inner = {t: f"{text}.{field}" for field, hint in fields for t in (hint, *typing.get_args(hint))}
     kinds = {t: path for t, path in inner.items() if isinstance(t, type) and t.__module__.startswith("asymptotics")}
     return {name_of(t): path for t, path in {**kinds, kind: text}.items() if name_of(t) not in PARTS}
@@ -161,15 +162,16 @@ def types() -> tuple[type, ...]:
     for name in asy.__all__:
         found = getattr(asy, name)
         if inspect.isfunction(found):
-            _add(_hints(inspect.unwrap(found)).get("return"), seen)
+            _add(hints(inspect.unwrap(found)).get("return"), seen)
         elif isinstance(found, type) and not issubclass(found, Exception):
             _add(found, seen)
     return tuple(sorted((t for t in seen if name_of(t) not in PARTS), key=name_of))
 
 
-def _hints(thing: object) -> dict[str, object]:
-    """The hints of a function or a class; SymPy is loaded late where it is only named."""
-    return typing.get_type_hints(thing, localns={"Expr": sympy.Expr})
+def hints(thing: object) -> dict[str, object]:
+    """The hints of a function or a class; what is only named there is loaded late."""
+    late = {"Expr": sympy.Expr, "Eq": sympy.Eq, "Symbol": sympy.Symbol, "BestOrder": BestOrder}
+    return typing.get_type_hints(thing, localns=late)
 
 
 for _name in IN_PYTHON:
@@ -187,8 +189,8 @@ def _add(hint: object, seen: set[type]) -> None:
     for name, member in inspect.getmembers(hint):
         function = getattr(member, "fget", None) or getattr(member, "func", None) or member
         if (not name.startswith("_") or name == "__call__") and inspect.isfunction(function):
-            _add(_hints(inspect.unwrap(function)).get("return"), seen)
+            _add(hints(inspect.unwrap(function)).get("return"), seen)
     if is_dataclass(hint):
-        for name, kind in _hints(hint).items():
+        for name, kind in hints(hint).items():
             if not name.startswith("_"):
                 _add(kind, seen)

@@ -7,7 +7,8 @@ from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.symbolic import FIELD, field_half_swing, nested_integral, to_expression
 from asymptotics.expansions.moments.certified import moment as moment_ball
 from asymptotics.expansions.normal_form.flow import Flow, flow_of
-from asymptotics.expansions.normal_form.symbolic import _flow, _rates
+from asymptotics.expansions.normal_form.in_moments import rates
+from asymptotics.expansions.normal_form.symbolic import flow_through_fourth_order
 from asymptotics.numbers.context import cache
 
 
@@ -37,5 +38,5 @@ def certified_coefficients(exponent: arb) -> dict[str, dict[int, arb]]:
     """
     if not exponent >= 0:
         raise InputError("alpha", f"{exponent.str(5)} is not certainly >= 0", "alpha >= 0")
-    p, Omega = _rates(*_flow(exponent, moment_ball, nested_integral(exponent)))
+    p, Omega = rates(*flow_through_fourth_order(exponent, moment_ball, nested_integral(exponent)))
     return {"p": p, "Omega": Omega}

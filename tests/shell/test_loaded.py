@@ -30,8 +30,19 @@ def loaded(*words):
         ("moment --p 5/2", set()),
         ("moment --p 7 --json", set()),
         ("moment --p sqrt(2)", {"sympy", "mpmath"}),  # the closed form: what is loaded is seen
-        ("expand --alpha 3/2 --order 1", {"sympy", "mpmath"}),
+        ("moment --p 5/2 --latex", set()),
+        ("expand --alpha 2", set()),
+        ("expand --alpha 2 --order 6 --gauge averaging --exact --latex", set()),
+        ("expand --alpha 3/2 --json", set()),
+        ("expand --law 0:1/10 --law 3/2:1/5 --order 3 --csv {folder}/x.csv", set()),
+        ("expand --alpha 1/2 --spring 3 --gauge no-first-harmonic --order 3", set()),
+        ("expand --alpha 3/2 --damping 1/10 --mass 2 --stiffness 3", set()),
+        ("half-swing --alpha 3/2 --latex", set()),
+        ("stokes --alpha 2", set()),
+        ("half-swing --law 1 --law 3/2 --order 3 --json", set()),
+        ("expand --alpha sqrt(2) --order 1", {"sympy", "mpmath"}),
+        ("expand --alpha symbolic --order 2", {"sympy", "mpmath"}),
     ],
 )
-def test_a_command_loads_what_its_answer_needs(line, needed):
-    assert loaded(*line.split()) == needed
+def test_a_command_loads_what_its_answer_needs(line, needed, tmp_path):
+    assert loaded(*line.format(folder=tmp_path).split()) == needed

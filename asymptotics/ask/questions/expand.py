@@ -2,32 +2,29 @@
 
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Annotated, Any
-
-import sympy
+from typing import TYPE_CHECKING, Annotated, Any
 
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.forces import GivenTerms
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.laws import SYMBOLIC, TERMS_IN_UNITS, TermsInUnits
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
-from asymptotics.ask.rows import local_strengths, order_of, row_text, rows_csv
+from asymptotics.ask.rows import delta_meaning, local_strengths, order_of, row_text, rows_csv
 from asymptotics.errors import InputError
-from asymptotics.expansions.divergence.truncation import BestOrder
 from asymptotics.expansions.equations.build import MAX_DIGITS, MAX_ORDER
 from asymptotics.expansions.equations.build import expand as equations_of
 from asymptotics.expansions.equations.result import Equations
-from asymptotics.expansions.normal_form.closed_forms import (
-    MAX_SYMBOLIC_ORDER,
-    symbolic_coefficients,
-    symbolic_with_spring,
-)
 from asymptotics.expansions.normal_form.results import Coefficients, Row, row_to_dict
 from asymptotics.gauges import GAUGES, TURNING_POINT
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.numbers.policy import Number
 
+if TYPE_CHECKING:
+    from asymptotics.expansions.divergence.truncation import BestOrder
+
 _NUMBER = "an exponent instead of --alpha symbolic"
+_OTHER_GAUGES = tuple(gauge for gauge in GAUGES if gauge != TURNING_POINT)
 
 
 @dataclass(frozen=True)
@@ -35,7 +32,7 @@ class ExpandAnswer:
     """The equations, and what was asked besides: the best order at a local strength, the bound of what O() holds."""
 
     equations: Equations
-    best: BestOrder | None = None
+    best: "BestOrder | None" = None
     remainder: Any = None
 
 
@@ -51,7 +48,7 @@ class SymbolicExpansion:
 
     def latex(self) -> str:
         """One line a coefficient."""
-        return "\n".join(rf"{_LATEX.get(n, n)}_{{{k}}} = {sympy.latex(c.expression)} \\" for n, k, c in self._entries())
+        return "\n".join(rf"{_LATEX.get(n, n)}_{{{k}}} = {c._formula()} \\" for n, k, c in self._entries())
 
     def __str__(self) -> str:
         lines = [f"gauge {self.found.gauge}, symbolic", *(f"{n}_{k} = {c.exact}" for n, k, c in self._entries())]
@@ -136,27 +133,15 @@ def _latex(found: Found, request: Request) -> str:
     return found.latex() if isinstance(found, SymbolicExpansion) else found.equations.latex(request["digits"])
 
 
+def _letters(found: Found, request: Request) -> dict[str, str]:
+    if isinstance(found, SymbolicExpansion):
+        return {}
+    return delta_meaning(_deltas(found.equations, request["law"].terms))
+
+
 def _csv(found: Found, _: Request) -> str:
     assert isinstance(found, ExpandAnswer)  # a symbolic exponent has no file: refused before
     return rows_csv({"p": found.equations.p.named(), "Omega": found.equations.Omega.named()})
-
-
-def _typed(request: Request) -> None:
-    """Beside a symbolic exponent nothing takes a number: what was typed and would have no effect is refused."""
-    if request["law"].terms != SYMBOLIC:
-        return
-    if request.typed("csv") is not None:
-        raise InputError("--csv", "a symbolic exponent has no numbers", _NUMBER)
-    for name in ("law", "exact"):
-        if request.typed(name) is not None:
-            raise InputError(f"--{name}", "cannot be combined with --alpha symbolic", "one law, in closed form")
-    if request["best_order"] is not None:
-        raise InputError("--best-order", "it needs a number", _NUMBER)
-    if request["bound"]:
-        raise InputError("--bound", "a bound needs a number", _NUMBER)
-    for name in ("epsilon", "damping", "mass", "stiffness"):
-        if request.typed(name) is not None:
-            raise InputError(f"--{name}", "closed forms take no numbers", _NUMBER)
 
 
 @question(
@@ -170,9 +155,22 @@ def _typed(request: Request) -> None:
         text=_text,
         as_latex=_latex,
         as_csv=_csv,
+        letters=_letters,
         besides=_besides,
-        typed=_typed,
         lacks={"plot": "equations are no curve; `motion` and `envelope` draw", "points": "there is no curve"},
+    ),
+    pairs=(
+        excludes("csv", "alpha=symbolic", "a symbolic exponent has no numbers", _NUMBER),
+        excludes("exact", "alpha=symbolic", accepted="one law, in closed form"),
+        excludes("best-order", "alpha=symbolic", "it needs a number", _NUMBER),
+        excludes("bound", "alpha=symbolic", "a bound needs a number", _NUMBER),
+        excludes("epsilon damping mass stiffness", "alpha=symbolic", "closed forms take no numbers", _NUMBER),
+        excludes(
+            "bound",
+            f"gauge={'|'.join(_OTHER_GAUGES)}",
+            "it is not known in the gauge {value}",
+            f"the gauge {TURNING_POINT}",
+        ),
     ),
     swept=True,
     example="--alpha 2 --order 1 --digits 5",
@@ -244,8 +242,6 @@ def expand(
     assert isinstance(given, TermsInUnits)
     if isinstance(given.terms, str):
         return _symbolic(given, order, gauge, digits)
-    if bound and gauge != TURNING_POINT:
-        raise InputError("bound", f"it is not known in the gauge {gauge}", f"the gauge {TURNING_POINT}")
     # Strengths that were left out are 1: the coefficients do not depend on them, only the line ``delta = `` shows them.
     bare = Law.from_terms(given.terms.terms)
     found = equations_of(
@@ -260,13 +256,15 @@ def expand(
 
 
 def _symbolic(given: TermsInUnits, order: int, gauge: str, digits: int) -> SymbolicExpansion:
-    if order > MAX_SYMBOLIC_ORDER:
-        reason = f"{order}: closed forms in alpha are known through order {MAX_SYMBOLIC_ORDER}"
-        raise InputError("order", reason, f"an integer from 1 to {MAX_SYMBOLIC_ORDER} with a symbolic exponent")
+    # SymPy, which takes longer to load than the expansion for a number takes.
+    closed = import_module("asymptotics.expansions.normal_form.closed_forms")
+    if order > closed.MAX_SYMBOLIC_ORDER:
+        reason = f"{order}: closed forms in alpha are known through order {closed.MAX_SYMBOLIC_ORDER}"
+        raise InputError("order", reason, f"an integer from 1 to {closed.MAX_SYMBOLIC_ORDER} with a symbolic exponent")
     if not given.springs:
-        return SymbolicExpansion(symbolic_coefficients(order, gauge, digits))
+        return SymbolicExpansion(closed.symbolic_coefficients(order, gauge, digits))
     spring, *others = given.springs
     if others or spring.family or not spring.velocity.is_zero or gauge != TURNING_POINT:
         accepted = f"one --spring P in the gauge {TURNING_POINT}, through order 2"
         raise InputError("spring", "with a symbolic exponent closed forms are known for one force of x", accepted)
-    return SymbolicExpansion(symbolic_with_spring(spring.position, order))
+    return SymbolicExpansion(closed.symbolic_with_spring(spring.position, order))

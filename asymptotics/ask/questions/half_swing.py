@@ -2,26 +2,27 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, Any, cast
-
-import sympy
+from importlib import import_module
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.forces import GivenTerms
 from asymptotics.ask.kinds import FLAG, REALS, SECONDS, digits, whole
 from asymptotics.ask.laws import SYMBOLIC, TERMS
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
-from asymptotics.ask.rows import deltas_latex, local_strengths, order_of, row_text, rows_csv, rows_latex
+from asymptotics.ask.rows import delta_meaning, deltas_latex, local_strengths, order_of, row_text, rows_csv, rows_latex
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.half_swing_value import HalfSwingAt
-from asymptotics.expansions.half_swings.symbolic import symbolic_half_swing
-from asymptotics.expansions.normal_form.closed_forms import MAX_SYMBOLIC_ORDER
 from asymptotics.expansions.normal_form.coefficients import half_swing_coefficients
 from asymptotics.expansions.normal_form.results import Coefficient, HalfSwingCoefficients, Row, row_to_dict
 from asymptotics.law import LawLike, SpringLike
 from asymptotics.numbers.policy import Number
 from asymptotics.present.inputs import csv_text
 from asymptotics.turning.half_swing import half_swing_of_terms
+
+if TYPE_CHECKING:
+    from sympy import Expr
 
 # As ``expand`` has them: the work is estimated from order and exponents before it begins, and refused by that.
 MAX_ORDER, MAX_DIGITS = 200, 1000
@@ -32,19 +33,21 @@ class SymbolicHalfSwing:
     """L, F and T of one law with a symbolic exponent, in closed form through ``order``; keys are powers of delta."""
 
     order: int
-    log_ratio: dict[int, sympy.Expr]
-    map: dict[int, sympy.Expr]
-    duration: dict[int, sympy.Expr]
+    log_ratio: "dict[int, Expr]"
+    map: "dict[int, Expr]"
+    duration: "dict[int, Expr]"
 
     @classmethod
     def through(cls, order: int) -> "SymbolicHalfSwing":
         """The closed forms; InputError beyond the order to which they are known."""
-        if order > MAX_SYMBOLIC_ORDER:  # the coefficients in alpha hold nested integrals without a closed form
-            raise InputError("order", f"{order} is out of range", f"an integer from 1 to {MAX_SYMBOLIC_ORDER}")
-        half = symbolic_half_swing()
+        # SymPy, which takes longer to load than the series for a number takes.
+        symbolic = import_module("asymptotics.expansions.half_swings.symbolic")
+        if order > symbolic.ORDER:  # the coefficients in alpha hold nested integrals without a closed form
+            raise InputError("order", f"{order} is out of range", f"an integer from 1 to {symbolic.ORDER}")
+        half = symbolic.symbolic_half_swing()
         return cls(order, *({k: s[k] for k in range(order + 1) if s[k] != 0} for s in (half.L, half.F[0], half.T)))
 
-    def _entries(self) -> list[tuple[str, int, sympy.Expr]]:
+    def _entries(self) -> "list[tuple[str, int, Expr]]":
         rows = {"L": self.log_ratio, "F": self.map, "T": self.duration}
         return [(name, k, c) for name, row in rows.items() for k, c in row.items()]
 
@@ -53,7 +56,7 @@ class SymbolicHalfSwing:
 
     def latex(self) -> str:
         """One line a coefficient."""
-        return " \\\\\n".join(f"{name}_{{{k}}} = {sympy.latex(c)}" for name, k, c in self._entries())
+        return " \\\\\n".join(f"{name}_{{{k}}} = {Coefficient(None, c)._formula()}" for name, k, c in self._entries())
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready."""
@@ -119,22 +122,15 @@ def _index(name: str, given: GivenTerms) -> str:
     return letter + (f"_{{{given.names.index(force[:-1]) + 1}}}" if bracket else "")
 
 
+def _letters(_: Found, request: Request) -> dict[str, str]:
+    given = request["law"]
+    return {} if given == SYMBOLIC else delta_meaning(local_strengths(given))
+
+
 def _csv(found: Found, request: Request) -> str:
     if isinstance(found, HalfSwingAt):
         return csv_text(["quantity", "value", "low", "high"], _values(found))
     return rows_csv(_named(cast("HalfSwingCoefficients", found), request["law"]))
-
-
-def _typed(request: Request) -> None:
-    """What was typed and would have no effect is refused."""
-    if request["law"] == SYMBOLIC:
-        for name in ("csv", "law", "spring", "epsilon"):
-            if request.typed(name) is not None:
-                raise InputError(f"--{name}", "cannot be combined with a symbolic exponent", "one law, in closed form")
-    if request["delta"] is not None and request.typed("epsilon") is not None:
-        raise InputError("--epsilon", "cannot be combined with --delta", "--delta alone: the local strength")
-    if request["delta"] is not None and request.typed("plot") is not None:
-        raise InputError("--plot", "one half-swing is no curve", "--plot without --delta: A'/A against delta")
 
 
 @question(
@@ -147,11 +143,22 @@ def _typed(request: Request) -> None:
         text=_text,
         as_latex=_latex,
         as_csv=_csv,
-        typed=_typed,
+        letters=_letters,
         lacks={
             "gauge": "U, V, W are in the turning-point gauge, L, F, T the same in all; `expand --gauge` has the others",
             "points": "there is no curve",
         },
+    ),
+    pairs=(
+        excludes(
+            "csv epsilon exact delta",
+            "alpha=symbolic",
+            "cannot be combined with a symbolic exponent",
+            "one law, in closed form",
+        ),
+        excludes("epsilon", "delta", accepted="--delta alone: the local strength"),
+        excludes("plot", "delta", "one half-swing is no curve", "--plot without --delta: A'/A against delta"),
+        excludes("exact", "delta", accepted="--delta alone: certified digits"),
     ),
     swept=True,
     example="--alpha 2 --order 1 --digits 5",
@@ -221,12 +228,7 @@ def half_swing(
     """
     given: Any = law
     if given == SYMBOLIC:
-        for name, value in (("exact", exact), ("delta", delta)):
-            if value:
-                raise InputError(name, "cannot be combined with a symbolic exponent", "one law, in closed form")
         return cast("HalfSwingCoefficients", SymbolicHalfSwing.through(order))
-    if delta is not None and exact:
-        raise InputError("exact", "cannot be combined with delta", "delta alone: certified digits")
     if delta is not None:
         found = half_swing_of_terms(given.terms, cast("Sequence[Any]", delta), digits)
         return replace(found, notes=given.notes)

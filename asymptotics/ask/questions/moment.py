@@ -1,21 +1,17 @@
 """The averages of |sin|^p."""
 
-from functools import partial
-from typing import TYPE_CHECKING, Annotated
+from importlib import import_module
+from typing import Annotated
 
 from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import REAL, SECONDS, digits
 from asymptotics.ask.question import question
 from asymptotics.errors import InputError
+from asymptotics.expansions.moments import exact
 from asymptotics.expansions.moments.certified import moment as moment_ball
-from asymptotics.expansions.moments.written import integer_moment, written
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
-from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import Number, exact_number
-from asymptotics.numbers.value import Coefficient, with_text
-
-if TYPE_CHECKING:
-    from sympy import Expr
+from asymptotics.numbers.value import Coefficient
 
 # Sizes of answers that still come at once and can be read; they refuse, and nothing that is answered rests on them.
 MAX_P, MAX_DIGITS = 10_000, 10_000
@@ -33,6 +29,7 @@ def _latex(found: Coefficient, request: Request) -> str:
         text=lambda found, request: f"M_{request['p']} = {found.value} = {found.exact}",
         as_latex=_latex,
         lacks={
+            "alpha": "an average has a power, `--p`: of a loss with the exponent alpha it is alpha + 1",
             "csv": "it is one number; `table moments --csv` has many",
             "gauge": "an average has no gauge",
             "plot": "it is one number",
@@ -80,16 +77,9 @@ def moment(
     # M_p is rational for even p, a rational over pi for odd p; a rational may be a tie, which only exact rounding
     # tells.
     if number.is_integer and number.rational.numerator % 2 == 0:
-        value = rational_decimal(integer_moment(number.rational.numerator)[0], digits)
+        value = rational_decimal(exact.integer_moment(number.rational.numerator)[0], digits)
     else:
         value = certified_decimal(lambda: moment_ball(number.ball()), digits)
-    if number.is_rational:
-        return with_text(value, written(number.rational), partial(_expression, number))
-    return Coefficient(value, _expression(number))
-
-
-def _expression(number: ExactReal) -> "Expr":
-    from asymptotics.expansions.moments.symbolic import moment  # noqa: PLC0415 (SymPy, which takes longer than digits)
-    from asymptotics.numbers.bridge import to_sympy  # noqa: PLC0415 (as above)
-
-    return moment(to_sympy(number))
+    # SymPy for irrational p alone: it takes longer to load than digits and closed form take.
+    closed = exact if number.is_rational else import_module("asymptotics.expansions.moments.symbolic")
+    return Coefficient(value, closed.moment(closed.number(number)))

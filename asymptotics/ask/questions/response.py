@@ -48,12 +48,12 @@ def response(
     The power of a loss grows with the speed, so two motions under one force never part: there is one periodic response,
     no jumps, and every motion tends to it; of dry friction alone that is said only where the response is certified.
     To first order x = A cos(W t - phase) in closed form, for every exponent: beside A and the phase c_eq, the amplitude
-    at omega_0, Q there of the decay and of the half-power width, where the amplitude is largest, and an estimate of the
-    error by the next harmonics.  The response itself, all digits proved, for every sum of losses where it turns once in
-    half a period and dry friction never holds it: `amplitude` its largest |x|; `x0` and `v0` at t = 0, where the force
-    is F; `phase`, by which its first harmonic lags behind the force, 0 to pi; the energy that a cycle takes, the
-    harmonics, and `difference`, what amplitude and phase are beyond first order.  Else `certified` is false, the notes
-    say why, and the first order is all there is.
+    at omega_0, Q there of the decay and of the half-power width (both to leading order in the loss), where the
+    amplitude is largest, and an estimate of the error by the next harmonics.  The response itself, all digits proved,
+    for every sum of losses where it turns once in half a period and dry friction never holds it: `amplitude` its
+    largest |x|; `x0` and `v0` at t = 0, where the force is F; `phase`, by which its first harmonic lags behind the
+    force, 0 to pi; the energy that a cycle takes, the harmonics, and `difference`, what amplitude and phase are beyond
+    first order.  Else `certified` is false, the notes say why, and the first order is all there is.
 
     Without units m = k = 1; with --damping, --mass or --stiffness everything is in SI: F in N, W in rad/s, x in m.
 

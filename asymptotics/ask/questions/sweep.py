@@ -72,7 +72,7 @@ def _typed_points(options: argparse.Namespace) -> Points:
         raise InputError("--list", "it stands next to a range", "either a list of points or ranges")
     try:
         with Path(options.list).open(newline="", encoding="utf-8") as stream:
-            rows = [point_options(command, row) for _, row in zip(range(MAX_POINTS + 1), csv.DictReader(stream))]
+            rows = [point_options(command, row, fixed) for _, row in zip(range(MAX_POINTS + 1), csv.DictReader(stream))]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         reason = f"cannot read {options.list}: {' '.join(str(error).split())}"
         raise InputError("--list", reason, "a CSV file") from error

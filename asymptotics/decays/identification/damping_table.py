@@ -24,7 +24,7 @@ from asymptotics.decays.identification.found_law import DampingLaw
 from asymptotics.decays.identification.inverse_damping import QUANTITIES, DampingCandidate, Problem, fitted, weighted
 from asymptotics.decays.identification.resonance_table import as_losses, beyond_first_order
 from asymptotics.decays.records.sources import How, Source, opened
-from asymptotics.decays.records.units import ANGLES, UNITS, seconds, suffix
+from asymptotics.decays.records.units import UNITS, seconds, suffix
 from asymptotics.equivalent.rows import OF_MOTION, row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.frames import BARE, Frame
@@ -32,6 +32,7 @@ from asymptotics.law import Oscillator, SpringLike
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import double_of, exact_double, exact_number
+from asymptotics.numbers.quantities import ANGLES
 from asymptotics.present.percent import percent
 from asymptotics.terms import terms_of
 from asymptotics.terms_given import PENDULUM

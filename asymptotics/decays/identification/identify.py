@@ -45,8 +45,9 @@ from asymptotics.decays.identification.telling.runs import common, verdict_of_ru
 from asymptotics.decays.identification.telling.verdicts import NONE, UNDECIDED, Verdict, verdict_of
 from asymptotics.decays.identification.textbook import textbook_estimates
 from asymptotics.decays.records.sources import How
-from asymptotics.decays.records.units import ANGLES, GRAVITY, UNITS
+from asymptotics.decays.records.units import GRAVITY, UNITS
 from asymptotics.errors import InputError, shown
+from asymptotics.numbers.quantities import ANGLES
 from asymptotics.running.budget import tick
 
 _OTHER = 0.1

@@ -25,8 +25,9 @@ from asymptotics.decays.records.clocked import CLOCK, names_time
 from asymptotics.decays.records.columns import COLUMNS, Choice, SeveralError, choose, quantity
 from asymptotics.decays.records.main_axis import carrying, line_of
 from asymptotics.decays.records.sources import How, Source
-from asymptotics.decays.records.units import ANGLES, SECONDS, UNITS, suffix
+from asymptotics.decays.records.units import SECONDS, UNITS, suffix
 from asymptotics.errors import InputError
+from asymptotics.numbers.quantities import ANGLES
 
 Array = NDArray[np.float64]
 _DERIVED = re.compile(r"\b(absolute?|magnitude|norm|total|resultant|betrag)\b", re.IGNORECASE)

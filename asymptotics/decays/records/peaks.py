@@ -1,10 +1,11 @@
 """Peaks of one side with their times (``t amplitude``): turning points 0, 2, 4, ... of a motion whose samples are gone.
 
 A column that is called amplitude or peak, all above 0, falling nearly always, at nearly even times, is no sampled
-swing: it is read as the maxima of one side, a period apart.  A peak that was missed leaves a gap in n.  More rows than
-an eye or a tracker finds peaks, or rows further apart than the period that the file says, are a sampled envelope, and
-so are volts on an even clock: a lock-in's readings, of which the clock says no period.
-Where the name says peak to peak, half of it is the amplitude.
+swing: it is read as the maxima of one side, a period apart.  A peak that was missed leaves a gap in n; one that a
+search for maxima found twice, at both edges of its flat top, counts once.  More rows than an eye or a tracker finds
+peaks, or rows further apart than the period that the file says, are a sampled envelope, and so are volts on an even
+clock: a lock-in's readings, of which the clock says no period.  Where the name says peak to peak, half of it is the
+amplitude.
 
 >>> t = np.array([0.0, 2.0, 4.1, 8.1, 10.0])
 >>> peaks_of_one_side("amplitude (cm)", t, np.exp(-0.1 * t))
@@ -30,15 +31,18 @@ _NAMES = re.compile(r"ampl|peak|maxim|max\b|scheitel|crest|envelope|h(?:ue|\u00f
 _DOUBLE = re.compile(
     r"peak[ _-]*(?:to|2)?[ _-]*peak|\bp-?p\b|pk-?pk|double[ _]ampl|crest[ _-]*to[ _-]*trough", re.IGNORECASE
 )
+_LEAST_FALLING, _LINE, _SMALL = 12, 0.5, 0.05
+"""Rows that fall by no accident of a swing; and which share of what their cubic leaves is a line, and how small that
+is beside the fall.  Choices."""
 _VOLTS, _CLOCK = ("v", "mv", "uv", "\u00b5v", "\u03bcv"), 1e-3
 """Units of what a lock-in amplifier reads, and by how much of itself the step of its clock changes, printed."""
 _LOCK_IN = re.compile(r"R\b")
 """What a lock-in amplifier calls the magnitude, beside X, Y and theta."""
 _CYCLES = re.compile(r"\bcycles?\b", re.IGNORECASE)
-_LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART = 5, 500, 0.8, 0.15, -0.9, 1.5
+_LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART, _TWICE = 5, 500, 0.8, 0.15, -0.9, 1.5, 0.2
 """Rows that are peaks: of fewer nothing is told, more are a sampled envelope; the share of steps that fall; by how much
-of a period a peak may be off its place; the correlation of an envelope with the time; and how many periods apart no
-peaks are."""
+of a period a peak may be off its place; the correlation of an envelope with the time; how many periods apart no
+peaks are; and within which share of a period a second maximum is the same peak."""
 
 
 def _is_amplitude(name: str) -> bool:
@@ -53,11 +57,51 @@ def peaks_of_one_side(name: str, t: Array, x: Array) -> Array | None:
         return None
     steps = np.diff(t)
     period = float(np.median(steps))
-    if not period > 0 or np.mean(np.diff(x) < 0) < _FALLING:
+    # Of a slow decay noise makes many a peak larger than the one before: the whole falls all the same.
+    if not period > 0 or (np.mean(np.diff(x) < 0) < _FALLING and not _falls(x)):
         return None
     periods = steps / period
     near = (np.abs(periods - np.round(periods)) < _EVEN) & (np.round(periods) >= 1)
     return np.concatenate([[0.0], 2 * np.cumsum(np.round(periods))]) if near.all() else None
+
+
+def _falls(x: Array) -> bool:
+    """Whether values fall from the first to the last, whatever their noise; a swing about a base line does not."""
+    # Spearman's correlation with the place.
+    order = np.argsort(np.argsort(x))
+    return float(np.corrcoef(np.arange(len(order)), order)[0, 1]) < _FALLS
+
+
+def never_swings(t: Array, x: Array) -> bool:
+    """Whether values of one sign fall from the first to the last without a turn: amplitudes, whatever their name.
+
+    What a cubic leaves of their logarithm is small and has no line in its spectrum; a swing on a drift has.
+
+    >>> t = np.arange(40.0)
+    >>> noise = 0.01 * np.random.default_rng(1).standard_normal(40)
+    >>> [never_swings(t, np.exp(-0.05 * t) * y) for y in (1 + noise, 1 + 0.1 * np.cos(t), np.cos(t))]
+    [True, False, False]
+    """
+    if not _LEAST_FALLING <= len(x) <= _MOST or not np.isfinite(t + x).all() or not (x > 0).all() or not _falls(x):
+        return False
+    if (np.diff(x) <= 0).all():
+        return True
+    left = np.log(x) - np.polynomial.Polynomial.fit(t, np.log(x), 3)(t)
+    power = np.abs(np.fft.rfft(left)) ** 2
+    # A line lies in two neighbouring bins.
+    line = float((power[1:] + power[:-1]).max())
+    return line < _LINE * float(power.sum()) and float(left.std()) < _SMALL * float(np.ptp(np.log(x)))
+
+
+def found_twice(t: Array) -> NDArray[np.bool_]:
+    """Which rows stand so shortly behind the one before that they are the same peak.
+
+    >>> found_twice(np.array([0.0, 2.0, 2.1, 4.0, 6.0])).tolist(), found_twice(np.array([0.0, 1.0, 3.0])).tolist()
+    ([False, False, True, False, False], [False, False, False])
+    """
+    steps = np.diff(t)
+    near = (steps > 0) & (steps < _TWICE * float(np.median(steps))) if len(steps) else np.zeros(0, dtype=bool)
+    return np.concatenate([[False], near])
 
 
 def turns(t: Array, x: Array) -> Array | None:
@@ -106,8 +150,5 @@ def is_envelope(name: str, t: Array, x: Array, frequency: float | None) -> bool:
     first = int(np.argmax(x))
     if len(x) - first < _LEAST:
         return False
-    # Spearman's correlation: a decay falls, whatever its noise; a swing about a base line does not.
-    order = np.argsort(np.argsort(x[first:]))
-    falls = float(np.corrcoef(np.arange(len(order)), order)[0, 1]) < _FALLS
     read = suffix(name).lower() in _VOLTS and float(np.ptp(steps)) < _CLOCK * float(np.median(steps))
-    return falls and (apart or read or len(x) > _MOST)
+    return _falls(x[first:]) and (apart or read or len(x) > _MOST)

@@ -24,7 +24,15 @@ from asymptotics.decays.records.clocked import clocked
 from asymptotics.decays.records.columns import KINDS, Choice
 from asymptotics.decays.records.error_names import errors_beside
 from asymptotics.decays.records.levels import amplitudes, is_logarithmic
-from asymptotics.decays.records.peaks import counts_cycles, is_double, is_envelope, peaks_of_one_side, turns
+from asymptotics.decays.records.peaks import (
+    counts_cycles,
+    found_twice,
+    is_double,
+    is_envelope,
+    never_swings,
+    peaks_of_one_side,
+    turns,
+)
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.decays.records.uncertainties import errors_of
@@ -181,14 +189,27 @@ def _as_envelope(table: RecordTable, unit: str, frequency: float | None) -> Reco
 def _as_peaks(table: RecordTable, name: str) -> RecordTable:
     """Peaks of one side as turning points; a sampled motion as it is."""
     t, x = table.columns["t"], table.columns["x"]
-    n = peaks_of_one_side(name, t, x)
+    keep = np.flatnonzero(~found_twice(t))
+    n = peaks_of_one_side(name, t[keep], x[keep])
     said = "peaks of one side, a period apart (n = 0, 2, 4, ...)"
+    said += f" ({len(t) - len(keep)} found twice count once)" if len(keep) < len(t) else ""
     if n is None:
-        n, said = turns(t, x), "turning points of both sides, half a period apart"
+        # A list of the maxima may stand before that of the minima.
+        keep = np.argsort(t, kind="stable")
+        n, said = turns(t[keep], x[keep]), "turning points of both sides, half a period apart"
+        said += ", sorted by time" if np.any(np.diff(t) < 0) else ""
     if n is None:
+        _require_swings(table, name)
         return table
-    said = f"{name!r}: {len(n)} {said}; --kind record overrules"
-    return replace(table, kind="turning-points", columns={"n": n, "x": x, "tau": t}, notes=(*table.notes, said))
+    told = table.kept(keep, f"{name!r}: {len(n)} {said}; --kind record overrules")
+    return replace(told, kind="turning-points", columns={"n": n, "x": x[keep], "tau": t[keep]})
+
+
+def _require_swings(table: RecordTable, name: str) -> None:
+    """InputError where the values are amplitudes whose name does not say so: as samples of a motion they are none."""
+    if table.kind == "record" and never_swings(table.columns["t"], table.columns["x"]):
+        accepted = "amplitudes: --kind envelope with --omega0 (2 pi over the period), or peaks in a column 'amplitude'"
+        raise InputError("FILE", f"{table.rows.name}: {name!r} falls and never swings", f"{accepted}; --kind record")
 
 
 def units_said(unit: str) -> tuple[str, str]:

@@ -10,25 +10,14 @@ asymptotics.errors.InputError: argument unit: m does not fit the column x_deg of
 
 import re
 from collections.abc import Sequence
-from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
 
 from asymptotics.errors import InputError
+from asymptotics.numbers.quantities import ANGLES, LENGTHS
 
 Array = NDArray[np.float64]
-_PI = Fraction(
-    "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534211706798214808651"
-    "328230664709384460955058"
-)
-LENGTHS = {
-    "m": Fraction(1), "cm": Fraction(1, 100), "mm": Fraction(1, 1000), "um": Fraction(1, 10**6),
-    "in": Fraction(254, 10_000), "ft": Fraction(3048, 10_000),
-}  # fmt: skip
-"""Units of length, with their size in m; the inch of 1959."""
-ANGLES = {"rad": Fraction(1), "deg": _PI / 180, "mrad": Fraction(1, 1000), "arcmin": _PI / 10_800}
-"""Units of angles, with their size in rad: pi to 130 digits, 30 more than are ever asked for."""
 UNITS = {name: float(size) for name, size in {**LENGTHS, **ANGLES}.items()}
 """Units of x, with their size in m or rad."""
 SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0}

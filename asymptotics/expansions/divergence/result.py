@@ -20,7 +20,7 @@ from flint import arb
 from asymptotics.errors import InputError
 from asymptotics.expansions.divergence.constants import stokes_balls
 from asymptotics.expansions.moments.certified import moment
-from asymptotics.expansions.moments.written import integer_moment
+from asymptotics.expansions.moments.exact import integer_moment
 from asymptotics.numbers.context import ctx
 from asymptotics.numbers.decimals import bits_for, certified_decimal, decimal_of_ball
 from asymptotics.numbers.digits import spread

@@ -16,8 +16,6 @@ from asymptotics.errors import InputError, require_flag
 from asymptotics.expansions.equations.given import terms_of
 from asymptotics.expansions.equations.result import Equations
 from asymptotics.expansions.equations.row import CoefficientRow
-from asymptotics.expansions.half_swings.symbolic import alpha
-from asymptotics.expansions.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.expansions.normal_form.coefficients import expansion_coefficients
 from asymptotics.expansions.normal_form.results import Coefficients
 from asymptotics.gauges import TURNING_POINT, require_gauge
@@ -95,6 +93,10 @@ def expand(
 
 
 def _symbolic(order: int, gauge: str, digits: int) -> Equations:
+    # SymPy, which an expansion for numbers does not need.
+    from asymptotics.expansions.half_swings.symbolic import alpha  # noqa: PLC0415
+    from asymptotics.expansions.normal_form.closed_forms import symbolic_coefficients  # noqa: PLC0415
+
     return _equations(symbolic_coefficients(order, gauge, digits), (), symbol=alpha)
 
 

@@ -12,11 +12,13 @@ from typing import Any
 
 import mpmath
 import numpy as np
+from flint import arb
 
 from asymptotics.errors import InputError
 from asymptotics.expansions.equations.row import sum_at
-from asymptotics.expansions.equations.strengths import as_mpf
+from asymptotics.expansions.equations.strengths import Strengths
 from asymptotics.numbers.arrays import real_array
+from asymptotics.numbers.context import ctx
 from asymptotics.numbers.policy import exact_number
 from asymptotics.series import Key
 
@@ -38,6 +40,18 @@ def rates(
         return tuple(map(float, both)) if isinstance(amplitude, np.float64) else both  # type: ignore[return-value]
 
     return found
+
+
+def strengths_in(modules: str, given: Strengths, epsilon: Any) -> tuple[list[Any], list[Any], Any]:
+    """The strengths as ``rates`` takes them: doubles, or mpmath numbers at the precision in force."""
+    return given.numbers(epsilon) if modules == "numpy" else given.numbers(epsilon, as_mpf)
+
+
+def as_mpf(x: arb) -> Any:
+    """The midpoint at mpmath's precision; the ball is made at that precision by the caller's context."""
+    with ctx.workprec(mpmath.mp.prec + 20):
+        # Twenty bits and five digits beyond mpmath's precision, so that only its own rounding is seen.
+        return mpmath.mpf(x.mid().str(mpmath.mp.dps + 5, radius=False))
 
 
 def state_of(y: Any) -> Any:

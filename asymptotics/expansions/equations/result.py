@@ -23,15 +23,12 @@ alpha = 3/2, gauge turning-point, order 4, certified coefficients; formal: no bo
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
-
-import sympy
+from typing import TYPE_CHECKING, Any
 
 from asymptotics.errors import InputError, require_choice
-from asymptotics.expansions.divergence.truncation import BestOrder, best_truncation
 from asymptotics.expansions.equations.comparison import EquationsComparison, compare_functions, compare_rows
 from asymptotics.expansions.equations.observables import Observables, observables_at
-from asymptotics.expansions.equations.row import CoefficientRow, sum_at
+from asymptotics.expansions.equations.row import CoefficientRow
 from asymptotics.expansions.equations.strengths import Strengths
 from asymptotics.expansions.normal_form import show
 from asymptotics.gauges import TURNING_POINT
@@ -42,7 +39,10 @@ from asymptotics.present.shown import Page, Rows
 from asymptotics.running.public import public
 from asymptotics.terms import Term
 
-A_SYMBOL, TAU, T = sympy.Symbol("A", positive=True), sympy.Symbol("tau", real=True), sympy.Symbol("t", real=True)
+if TYPE_CHECKING:
+    from sympy import Eq, Expr, Symbol
+
+    from asymptotics.expansions.divergence.truncation import BestOrder
 
 
 @dataclass(frozen=True, repr=False)
@@ -62,7 +62,7 @@ class Equations(Rows):
     Omega: CoefficientRow
     law: Law | None = None
     oscillator: Oscillator | None = None
-    symbol: sympy.Symbol | None = None
+    symbol: "Symbol | None" = None
     notes: tuple[str, ...] = field(default=(), compare=False)
 
     @property
@@ -98,17 +98,17 @@ class Equations(Rows):
         """
         require_choice(modules, "modules", ("numpy", "mpmath"))
         as_number: Callable[[Coefficient], Any] = float if modules == "numpy" else Coefficient.mpf
-        from asymptotics.expansions.equations.rates import rates  # noqa: PLC0415 (NumPy: printing needs none)
+        from asymptotics.expansions.equations.rates import rates, strengths_in  # noqa: PLC0415 (NumPy, and mpmath)
 
         p, Omega = ([(k, as_number(c)) for k, c in row.keyed().items()] for row in (self.p, self.Omega))
         # A list of exponents has no strengths: then they are an argument of what is returned.
         if epsilon is None and self.law is None and self.terms:
 
             def of_strength(A: Any, psi: Any = 0.0, epsilon: Any = None) -> tuple[Any, Any]:
-                return rates(p, Omega, self.strengths.numbers(modules, epsilon), modules)(A, psi)
+                return rates(p, Omega, strengths_in(modules, self.strengths, epsilon), modules)(A, psi)
 
             return of_strength
-        return rates(p, Omega, self.strengths.numbers(modules, epsilon), modules)
+        return rates(p, Omega, strengths_in(modules, self.strengths, epsilon), modules)
 
     def rhs(self, t: float, y: Any) -> list[Any]:
         """The right side for ``scipy.integrate.solve_ivp``: the rates of ``y`` = (A, psi), at any ``t``."""
@@ -117,22 +117,21 @@ class Equations(Rows):
         return list(self(*state_of(y)))
 
     @public
-    def to_sympy(self, *, max_seconds: Number = 60) -> tuple[sympy.Expr, sympy.Expr]:
+    def to_sympy(self, *, max_seconds: Number = 60) -> "tuple[Expr, Expr]":
         """(dA/dtau, dpsi/dtau) in the symbols A and epsilon (epsilon_1, ... for several), SI numbers for an oscillator.
 
         Coefficients are exact where an exact form is known, Floats with all their digits elsewhere.
         """
-        deltas, scale = self.strengths.symbolic(A_SYMBOL)
-        p, Omega = (sum_at([(k, c.sympy()) for k, c in r.keyed().items()], deltas) for r in (self.p, self.Omega))
-        return -scale * A_SYMBOL * p, scale * (1 + Omega)
+        from asymptotics.expansions.equations.in_sympy import right_sides  # noqa: PLC0415 (SymPy: printing needs none)
+
+        return right_sides(self.p, self.Omega, self.strengths)
 
     @public
-    def odes(self, *, max_seconds: Number = 60) -> tuple[sympy.Eq, sympy.Eq]:
+    def odes(self, *, max_seconds: Number = 60) -> "tuple[Eq, Eq]":
         """The two equations for the functions A and psi of tau (of t for an oscillator), as SymPy equations."""
-        time = TAU if self.oscillator is None else T
-        A, psi = sympy.Function("A", positive=True)(time), sympy.Function("psi", real=True)(time)
-        rates = [rate.subs(A_SYMBOL, A) for rate in self.to_sympy()]
-        return tuple(sympy.Eq(sympy.Derivative(f, time), r, evaluate=False) for f, r in zip((A, psi), rates))
+        from asymptotics.expansions.equations.in_sympy import TAU, T, odes  # noqa: PLC0415 (as above)
+
+        return odes(self.to_sympy(), TAU if self.oscillator is None else T)
 
     @public
     def observables(self, A: Any = None, epsilon: Any = None, *, max_seconds: Number = 60) -> Observables:
@@ -142,7 +141,7 @@ class Equations(Rows):
         """
         if not self.terms:
             raise InputError("alpha", "it is symbolic", "an exponent")
-        strengths, weights, _ = self.strengths.numbers("numpy", epsilon)
+        strengths, weights, _ = self.strengths.numbers(epsilon)
         start = 1.0 if self.oscillator is None else float(self.oscillator.length().mid())
         amplitude = start if A is None else _amplitude(A)
         deltas = [s * amplitude**w for s, w in zip(strengths, weights)]
@@ -169,7 +168,7 @@ class Equations(Rows):
         return compare_functions(self.lambdify(epsilon=epsilon), other, 1.0 if A is None else _amplitude(A))
 
     @public
-    def best_order(self, delta: Number, *, max_seconds: Number = 60) -> BestOrder:
+    def best_order(self, delta: Number, *, max_seconds: Number = 60) -> "BestOrder":
         """Where to stop at the local strength ``delta``, one law: |c_1| e^(-2 pi |c|/delta) beside the measured error.
 
         Also the errors with one and two exponentials added back; all in half-swings, against the turning points that
@@ -179,7 +178,9 @@ class Equations(Rows):
         # The Abel function and its constants are those of one power of the velocity (``divergence``).
         if len(self.terms) != 1 or not self.terms[0].is_power_of_velocity:
             raise InputError("law", "the large orders are known for one law only", "one law without a spring")
-        return best_truncation(self.terms[0].velocity, exact_number(delta, "delta"))
+        from asymptotics.expansions.divergence import truncation  # noqa: PLC0415 (mpmath: printing needs none)
+
+        return truncation.best_truncation(self.terms[0].velocity, exact_number(delta, "delta"))
 
     def latex(self, digits: int = show.SHOWN_DIGITS) -> str:
         """The equations in LaTeX, coefficients to at most ``digits`` digits where they have no short exact form."""

@@ -1,27 +1,29 @@
-"""What delta_i is, in numbers, in SymPy and in words: epsilon_i A^w_i, or b_i omega_0^alpha_i A^w_i/k with A in metres.
+"""What delta_i is, in numbers and in words: epsilon_i A^w_i, or b_i omega_0^alpha_i A^w_i/k with A in metres.
 
 >>> from asymptotics.law import Oscillator
 >>> drag = Oscillator({"3/2": "1/10"}, mass="3/2", stiffness=30, x0="1/5")
 >>> Strengths(drag.dimensionless.terms, drag.dimensionless, drag).texts()
 ['(1/10) omega_0^(3/2)/k A^(1/2)']
->>> Strengths(drag.dimensionless.terms, drag.dimensionless, drag).symbolic(sympy.Symbol("A"))
-([sqrt(2)*5**(3/4)*sqrt(A)/150], 2*sqrt(5))
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import mpmath
-import sympy
 from flint import arb
 
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
-from asymptotics.numbers.bridge import to_sympy
-from asymptotics.numbers.context import ctx
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import exact_number
 from asymptotics.terms import Term
+
+if TYPE_CHECKING:
+    from sympy import Symbol
+
+
+def _float(x: arb) -> float:
+    return float(x.mid())
 
 
 @dataclass(frozen=True)
@@ -31,18 +33,17 @@ class Strengths:
     terms: tuple[Term, ...]
     law: Law | None = None
     oscillator: Oscillator | None = None
-    symbol: sympy.Symbol | None = None
+    symbol: "Symbol | None" = None
 
     @property
     def count(self) -> int:
         """The number of the delta_i."""
         return len(self.terms) or 1
 
-    def numbers(self, modules: str, epsilon: Any = None) -> tuple[list[Any], list[Any], Any]:
-        """(strengths, weights, omega_0) as floats or mpf: delta_i = strength_i A^weight_i, A in the unit of length."""
+    def numbers(self, epsilon: Any = None, number: Callable[[arb], Any] = _float) -> tuple[list[Any], list[Any], Any]:
+        """(strengths, weights, omega_0), made of balls: delta_i = strength_i A^weight_i, A in the unit of length."""
         if not self.terms:
             raise InputError("alpha", "it is symbolic", "to_sympy(), or a number")
-        number = _float if modules == "numpy" else as_mpf
         weights = [number(t.weight.ball()) for t in self.terms]
         if self.law is None:
             return [number(e.ball()) for e in self._given(epsilon)], weights, 1
@@ -54,23 +55,6 @@ class Strengths:
         length, omega = number(self.oscillator.length()), number(self.oscillator.omega_0())
         # delta = epsilon (A/length)^w, with A in metres.
         return [number(e) / length**w for e, w in zip(balls, weights)], weights, omega
-
-    def symbolic(self, A: sympy.Expr) -> tuple[list[sympy.Expr], sympy.Expr]:
-        """(delta_i, omega_0) in SymPy; symbols epsilon where no strength is known."""
-        names = ["epsilon"] if self.count == 1 else [f"epsilon_{i}" for i in range(1, self.count + 1)]
-        symbols = [sympy.Symbol(n, positive=True) for n in names]
-        if self.symbol is not None:
-            return [symbols[0] * A ** (self.symbol - 1)], sympy.Integer(1)
-        powers = [A ** to_sympy(t.weight) for t in self.terms]
-        if self.oscillator is None:
-            # A Scaled strength has no exact form: its symbol stands for it.
-            known = [t.strength for t in self.law.terms] if self.law is not None else []
-            strengths = [to_sympy(e) if isinstance(e, ExactReal) else s for e, s in zip(known or symbols, symbols)]
-            return [s * power for s, power in zip(strengths, powers)], sympy.Integer(1)
-        k, m = to_sympy(self.oscillator.stiffness), to_sympy(self.oscillator.mass)
-        omega = sympy.sqrt(k / m)
-        strengths = [_physical(t, omega, k) for t in self.oscillator.law.terms]
-        return [s * power for s, power in zip(strengths, powers)], omega
 
     def texts(self) -> list[str]:
         """What each delta is, in words."""
@@ -94,11 +78,6 @@ class Strengths:
         return [exact_number(e, "epsilon") for e in values]
 
 
-def _physical(t: Term, omega: sympy.Expr, k: sympy.Expr) -> sympy.Expr:
-    """b omega_0^velocity/k; a named spring counts the square of the amplitude, whatever m and k are."""
-    return to_sympy(t.b) if t.family else to_sympy(t.b) * omega ** to_sympy(t.velocity) / k
-
-
 def _si_text(t: Term) -> str:
     return f"({t.b})" if t.family else f"({t.b}){_power_text(' omega_0', t.velocity)}/k"
 
@@ -108,14 +87,3 @@ def _power_text(name: str, exponent: ExactReal) -> str:
         return ""
     plain = exponent.is_integer and exponent.sign > 0
     return name if exponent == 1 else f"{name}^{exponent}" if plain else f"{name}^({exponent})"
-
-
-def _float(x: arb) -> float:
-    return float(x.mid())
-
-
-def as_mpf(x: arb) -> Any:
-    """The midpoint at mpmath's precision; the ball is made at that precision by the caller's context."""
-    with ctx.workprec(mpmath.mp.prec + 20):
-        # Twenty bits and five digits beyond mpmath's precision, so that only its own rounding is seen.
-        return mpmath.mpf(x.mid().str(mpmath.mp.dps + 5, radius=False))

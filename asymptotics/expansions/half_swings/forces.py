@@ -161,6 +161,11 @@ class Forces:
         weights, signs, velocities = rows
         return Forces(weights, signs, velocities, tuple(members))  # type: ignore[arg-type]
 
+    def embedded(self, key: Key, places: Sequence[int]) -> Key:
+        """A monomial of some of the variables as one of all."""
+        powers = dict(zip(places, key))
+        return tuple(powers.get(i, 0) for i in range(self.variables))
+
     def loss_degree(self, key: Key) -> int:
         """How many losses a monomial contains."""
         return loss_degree(self.signs, key)

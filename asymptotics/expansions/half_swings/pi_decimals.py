@@ -28,4 +28,4 @@ def exact_decimal(number: PiNumber, digits: int) -> str:
 def exact_coefficient(c: Any, digits: int) -> Coefficient:
     """The decimal and the exact form of a rational or of a number of the ring."""
     number = pi_number(c)
-    return Coefficient(exact_decimal(number, digits), number.to_sympy())
+    return Coefficient(exact_decimal(number, digits), number.closed())

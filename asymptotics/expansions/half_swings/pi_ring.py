@@ -12,12 +12,15 @@ ZeroDivisionError: 1 + pi is not a unit of Q[pi, 1/pi]
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import sympy
 from flint import arb, fmpq, fmpq_poly
 
-from asymptotics.numbers.bridge import to_sympy
+from asymptotics.numbers.gamma_sums import GammaSum
+from asymptotics.numbers.gamma_text import HALF
+
+if TYPE_CHECKING:
+    from sympy import Expr
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -63,9 +66,13 @@ class PiNumber:
         pi = arb.pi()
         return sum((arb(c) * pi**n for n, c in self.terms.items()), start=arb(0))
 
-    def to_sympy(self) -> sympy.Expr:
+    def closed(self) -> GammaSum:
+        """The number as a closed form, which writes itself."""
+        return GammaSum.of((c, ((HALF, 2 * n),) if n else ()) for n, c in self.terms.items())
+
+    def to_sympy(self) -> "Expr":
         """The number as a SymPy expression."""
-        return sympy.Add(*(to_sympy(c) * sympy.pi**n for n, c in self.terms.items()))
+        return self.closed().to_sympy()
 
     def __add__(self, other: Any) -> "PiNumber":
         b = _lift(other)
@@ -126,7 +133,7 @@ class PiNumber:
         return hash((self.shift, tuple(str(c) for c in self.polynomial.coeffs())))
 
     def __repr__(self) -> str:
-        return str(self.to_sympy())
+        return repr(self.closed())
 
 
 def _lift(x: Any) -> PiNumber | None:

@@ -29,7 +29,12 @@ from math import prod
 from sympy import Add, Expr, Integer, Pow, Rational, gamma, pi, sqrt
 
 from asymptotics.errors import InputError
-from asymptotics.expansions.moments.written import integer_moment
+from asymptotics.expansions.moments.exact import integer_moment
+from asymptotics.numbers.bridge import to_sympy as number
+
+__all__ = ["PI", "mean", "moment", "number", "squaring_moment", "squaring_ratio"]
+
+PI = pi
 
 
 def moment(p: Expr | int) -> Expr:

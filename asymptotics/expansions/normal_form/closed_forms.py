@@ -13,7 +13,7 @@ from flint import arb, fmpq
 
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.symbolic import alpha, nested_integral, nested_integral_definition
-from asymptotics.expansions.moments.symbolic import moment
+from asymptotics.expansions.moments import symbolic as moments
 from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.expansions.normal_form.results import Coefficient, Coefficients, Row
 from asymptotics.expansions.normal_form.spring_terms import cross_term
@@ -64,11 +64,11 @@ def symbolic_with_spring(p: int, order: int) -> Coefficients:
     """
     if not 1 <= order <= 2:
         raise InputError("order", f"{order}: with a spring closed forms in alpha are known through order 2", "1 or 2")
-    p_1, shift = moment(alpha + 1), moment(p + 1)
+    p_1, shift = moments.moment(alpha + 1), moments.moment(p + 1)
     amplitude: dict[str, sympy.Expr] = {"1,0": p_1}
     frequency: dict[str, sympy.Expr] = {"0,1": shift}
     if order == 2:
-        amplitude["1,1"] = p_1 * shift - cross_term(alpha, 0, p)
+        amplitude["1,1"] = p_1 * shift - cross_term(alpha, 0, p, moments)
         spring = exact_expansion([Term(1, 0, p, "position")], 2).Omega[2]
         frequency |= {"0,2": spring.to_sympy(), "2,0": omega_2()}
     p_row, Omega_row = ({k: Coefficient(None, v) for k, v in row.items()} for row in (amplitude, frequency))

@@ -13,13 +13,11 @@ these the lowest coefficients have closed forms in moments (``expansions.normal_
 Coefficient(value='-0.152788745368', expression=-12/(25*pi))
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from math import inf
 from typing import Any
-
-import sympy
 
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.certified import quarter_swing
@@ -27,7 +25,6 @@ from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.half_swings.forces import Forces, Given
 from asymptotics.expansions.half_swings.pi_decimals import exact_coefficient, exact_decimal, pi_number
 from asymptotics.expansions.half_swings.pi_ring import PiNumber
-from asymptotics.expansions.half_swings.symbolic import alpha
 from asymptotics.expansions.normal_form.digits import certified_digits, round_all
 from asymptotics.expansions.normal_form.expansion import (
     MAX_SECONDS,
@@ -37,19 +34,22 @@ from asymptotics.expansions.normal_form.expansion import (
     require_size,
 )
 from asymptotics.expansions.normal_form.flow import flow_of
+from asymptotics.expansions.normal_form.half_swing_forms import half_swing_forms
+from asymptotics.expansions.normal_form.in_moments import closed_forms
 from asymptotics.expansions.normal_form.results import ZERO, Coefficient, Coefficients, HalfSwingCoefficients, Row
-from asymptotics.expansions.normal_form.spring_terms import first_order, second_order_p
-from asymptotics.expansions.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
 from asymptotics.gauges import TURNING_POINT, require_gauge
-from asymptotics.numbers.bridge import to_sympy
-from asymptotics.numbers.decimals import MAX_DIGITS
+from asymptotics.numbers.decimals import MAX_DIGITS, rational_decimal
 from asymptotics.numbers.exact import MAX_ORDER
 from asymptotics.numbers.integers import require_integer
+from asymptotics.numbers.rationals import to_fraction
+from asymptotics.numbers.value import as_rational
 from asymptotics.running.budget import budget, seconds_left
 from asymptotics.series import Key, Series, monomials
 from asymptotics.terms import Term
 
 _Pairs = list[tuple[Key, Any]]
+_Known = dict[str, dict[Key, Any]]
+_Exact = dict[str, dict[Key, PiNumber]]
 _RowsOf = Callable[[Forces, list[int]], dict[str, _Pairs]]
 
 
@@ -79,17 +79,14 @@ def _coefficients(forces: Forces, order: int, digits: int, gauge: str, exact_onl
         p, Omega = (_exact_row(s, digits) for s in (expansion.p, expansion.Omega))
         return _expansion(gauge, order, "exact", forces, p, Omega)
     exact = _integer_part(forces, order, gauge, partial(_flow_rows, gauge, order))
-    # What these decide is handed over as digits: a tie or a zero among them would stop the balls at every precision.
-    decided = {name: {key: exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
+    known = _with_exact(closed_forms(forces, order, gauge), exact)
+    decided = _decided(known, exact, digits)
     # The theorems on zeros hold at turning points. Elsewhere parity alone is known, and a coefficient that vanishes for
     # another reason is refused as undecided.
     if gauge == TURNING_POINT:
         rounded = certified_digits(forces, order, digits, names=("p", "Omega"), known=decided)
     else:
         rounded = round_all(partial(_in_gauge, forces, order, gauge), digits, 4 * order + 32, decided, forces)
-    known = closed_forms(forces, order, gauge)
-    for name, row in exact.items():
-        known[name] |= {key: c.to_sympy() for key, c in row.items()}
     p, Omega = (_rounded_row(rounded[name], known[name]) for name in ("p", "Omega"))
     return _expansion(gauge, order, "certified", forces, p, Omega)
 
@@ -137,13 +134,9 @@ def _half_swing_coefficients(forces: Forces, order: int, digits: int, exact_only
         rows = [_exact_row(s, digits) for s in (half.L, half.T, flow.U, flow.W, *half.F, *flow.V)]
         return _half_swing(order, "exact", forces.variables, rows)
     exact = _integer_part(forces, order, TURNING_POINT, partial(_half_swing_rows, order))
-    decided = {name: {key: exact_decimal(c, digits) for key, c in row.items()} for name, row in exact.items()}
+    known = _with_exact(half_swing_forms(forces), exact)
     names = ["L", "T", "U", "W", *(f"{name}_{i}" for name in "FV" for i in range(forces.variables))]
-    rounded = certified_digits(forces, order, digits, names=names, known=decided)
-    # Whatever the exponents, these two have closed forms: U at first order, T without forces.
-    known = {"U": dict(first_order(forces)[0]), "T": {(0,) * forces.variables: sympy.pi}}
-    for name, row in exact.items():
-        known[name] = known.get(name, {}) | {key: c.to_sympy() for key, c in row.items()}
+    rounded = certified_digits(forces, order, digits, names=names, known=_decided(known, exact, digits))
     rows = [_rounded_row(rounded[n], known.get(n, {})) for n in names]
     return _half_swing(order, "certified", forces.variables, rows)
 
@@ -151,23 +144,6 @@ def _half_swing_coefficients(forces: Forces, order: int, digits: int, exact_only
 def _half_swing(order: int, arithmetic: str, laws: int, rows: list[Row]) -> HalfSwingCoefficients:
     L, T, U, W, *rest = rows
     return HalfSwingCoefficients(order, arithmetic, L, tuple(rest[:laws]), T, U, tuple(rest[laws:]), W)
-
-
-def closed_forms(given: Given, order: int, gauge: str) -> dict[str, dict[Key, sympy.Expr]]:
-    """First order always, Omega_2 of one plain loss in any gauge; at turning points p_3 and second orders."""
-    forces = Forces.read(given, order)
-    U, W = first_order(forces)
-    known = {"p": {k: -u for k, u in U.items()}, "Omega": {k: -w for k, w in W.items()}}
-    exponents = [to_sympy(m.velocity) for m in forces.members]
-    if forces.is_pure and forces.variables == 1:
-        known["Omega"][2,] = omega_2(gauge).subs(alpha, exponents[0])
-        if gauge == TURNING_POINT:
-            known["p"][3,] = symbolic_expansion()["p"][3].subs(alpha, exponents[0])
-    elif forces.is_pure and gauge == TURNING_POINT:
-        known["Omega"] = {k: -w for k, w in second_order_sum(tuple(exponents)).items()}
-    elif gauge == TURNING_POINT:
-        known["p"] |= second_order_p(forces)
-    return known
 
 
 def _is_exact(forces: Forces, order: int, gauge: str, exact_only: bool) -> bool:
@@ -200,9 +176,24 @@ def _integer_part(forces: Forces, order: int, gauge: str, rows_of: _RowsOf) -> d
     if not places or not _is_quick(part, order, gauge):
         return {}
     return {
-        name: {_embedded(key, places, forces.variables): pi_number(c) for key, c in row}
+        name: {forces.embedded(key, places): pi_number(c) for key, c in row}
         for name, row in rows_of(part, places).items()
     }
+
+
+def _with_exact(known: _Known, exact: _Exact) -> _Known:
+    """The closed forms with those that involve integer exponents alone."""
+    return {name: row | {key: c.closed() for key, c in exact.get(name, {}).items()} for name, row in known.items()}
+
+
+def _decided(known: _Known, exact: _Exact, digits: int) -> dict[str, dict[Key, str]]:
+    """The decimals that need no balls: a tie or a zero among them would stop these at every precision."""
+    found: dict[str, dict[Key, str]] = {}
+    for name, row in known.items():
+        rationals = {key: q for key, c in row.items() if (q := as_rational(c)) is not None}
+        found[name] = {key: rational_decimal(to_fraction(q), digits) for key, q in rationals.items()}
+        found[name] |= {key: exact_decimal(c, digits) for key, c in exact.get(name, {}).items()}
+    return found
 
 
 def _flow_rows(gauge: str, order: int, part: Forces, _places: list[int]) -> dict[str, _Pairs]:
@@ -221,12 +212,6 @@ def _half_swing_rows(order: int, part: Forces, places: list[int]) -> dict[str, _
     return {name: [pair for of_degree in one.parts for pair in of_degree] for name, one in series.items()}
 
 
-def _embedded(key: Key, places: Sequence[int], laws: int) -> Key:
-    """A monomial of some of the laws as a monomial of all of them."""
-    powers = dict(zip(places, key))
-    return tuple(powers.get(i, 0) for i in range(laws))
-
-
 def _in_gauge(forces: Forces, order: int, gauge: str) -> Mapping[str, Series]:
     quarter = quarter_swing(forces, order, moments=True)
     expansion = expansion_of(quarter, gauge, arithmetic="certified")
@@ -241,12 +226,9 @@ def _exact_row(series: Series, digits: int) -> Row:
     return row
 
 
-def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, sympy.Expr]) -> Row:
-    def exact(key: Key, text: str) -> sympy.Expr | None:
-        # "0" is told by a theorem, whatever form stands beside it.
-        return sympy.Integer(0) if text == "0" else known.get(key)
-
-    return {_name(key): Coefficient(text, exact(key, text)) for key, text in row.items()}
+def _rounded_row(row: Mapping[Key, str], known: Mapping[Key, Any]) -> Row:
+    # "0" is told by a theorem, whatever form stands beside it.
+    return {_name(key): ZERO if text == "0" else Coefficient(text, known.get(key)) for key, text in row.items()}
 
 
 def _name(key: Key) -> str:

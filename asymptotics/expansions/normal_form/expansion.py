@@ -17,7 +17,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from flint import arb
-from sympy import latex
 
 from asymptotics.costs import exact_expansion_seconds, require_affordable
 from asymptotics.expansions.half_swings.exact import exact_half_swing, exact_quarter_swing
@@ -99,7 +98,7 @@ def latex_series(series: Series, names: list[str]) -> str:
     """
     terms = []
     for key, c in ((k, c) for part in series.parts for k, c in part):
-        number = latex(c.to_sympy()) if isinstance(c, PiNumber) else c.str(6) if isinstance(c, arb) else str(c)
+        number = c.closed().latex() if isinstance(c, PiNumber) else c.str(6) if isinstance(c, arb) else str(c)
         power = " ".join(name + (f"^{{{n}}}" if n > 1 else "") for name, n in zip(names, key) if n)
         terms.append(f"{number} {power}".strip())
     return " + ".join(terms) or "0"

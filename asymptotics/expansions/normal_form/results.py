@@ -1,6 +1,6 @@
 """What ``coefficients`` and ``closed_forms`` return: the rows of an expansion and of a half-swing.
 
->>> row = {"1": Coefficient("0.424413181578", 4 / (3 * sympy.pi)), "2": ZERO}
+>>> row = {"1": Coefficient("0.424413181578", None), "2": ZERO}
 >>> row_to_dict(row)["2"]
 {'value': '0', 'exact': '0'}
 """
@@ -8,10 +8,9 @@
 from dataclasses import dataclass, field
 from typing import Any
 
-import sympy
-
 from asymptotics.errors import InputError
 from asymptotics.expansions.normal_form.show import sum_latex
+from asymptotics.numbers.gamma_sums import GammaSum
 from asymptotics.numbers.value import Coefficient, coefficient_columns
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows
@@ -21,7 +20,7 @@ __all__ = ["ZERO", "Coefficient", "Coefficients", "HalfSwingCoefficients", "Row"
 
 # For a smooth line on the page: no number is read off it.
 _POINTS = 401
-ZERO = Coefficient("0", sympy.Integer(0))
+ZERO = Coefficient("0", GammaSum())
 Row = dict[str, Coefficient]
 
 

@@ -10,8 +10,6 @@
 
 from collections.abc import Mapping, Sequence
 
-import sympy
-
 from asymptotics.numbers.value import Coefficient, rounded
 from asymptotics.series import Key
 
@@ -53,13 +51,13 @@ def _monomial(key: Key, names: Sequence[str], opened: str, closed: str) -> str:
 def _number(c: Coefficient) -> str:
     exact = c.exact
     if exact is not None and (c.value is None or len(exact) <= _LONGEST_EXACT):
-        return exact if c.expression is not None and not c.expression.is_Add else f"({exact})"
+        return f"({exact})" if c.is_sum else exact
     return rounded(c.text(), SHOWN_DIGITS)
 
 
 def _latex(c: Coefficient, digits: int) -> str:
-    if c.expression is not None and (c.value is None or len(str(c.exact)) <= _LONGEST_EXACT):
-        text: str = sympy.latex(c.expression)
-        return rf"\left({text}\right)" if c.expression.is_Add else text
+    exact = c.exact
+    if exact is not None and (c.value is None or len(exact) <= _LONGEST_EXACT):
+        return rf"\left({c._formula()}\right)" if c.is_sum else c._formula()
     mantissa, e, exponent = rounded(c.text(), digits).partition("e")
     return mantissa + (rf" \cdot 10^{{{int(exponent)}}}" if e else "")

@@ -16,63 +16,62 @@ s^2)) + ..., and with (A + c A^p) dA = dE the decrement per unit of psi is, to f
 the second line by the recurrence of the beta function.  W has no term rho gamma.
 
 >>> forces = Forces.read([Term(1, "3/2"), Term(1, 0, 3, "position")], 2)
->>> second_order_cross(forces)[1, 1].evalf(12)
-0.247896923138
+>>> second_order_cross(forces, exact)[1, 1].ball().str(10)
+'[0.2478969231 +/- ...]'
 """
 
-import sympy
-from sympy import Expr
+from types import ModuleType
+from typing import Any
 
 from asymptotics.expansions.half_swings.forces import Forces
-from asymptotics.expansions.moments.symbolic import mean
-from asymptotics.numbers.bridge import to_sympy
+from asymptotics.expansions.moments import exact as exact  # for the examples
 from asymptotics.series import Key
-from asymptotics.terms import Term as Term  # for the example
+from asymptotics.terms import Term as Term  # as above
 
 
-def cross_term(alpha: Expr | int, m: int, p: int) -> Expr:
+def cross_term(alpha: Any, m: int, p: int, moments: ModuleType) -> Any:
     """U_(rho gamma) of the loss |x|^m v|v|^(alpha-1) and the spring x|x|^(p-1); ``alpha`` may be a symbol.
 
-    >>> cross_term(1, 0, 3), cross_term(2, 0, 3)
-    (11/32, 8/(15*pi))
+    >>> [cross_term(exact.number(alpha), 0, 3, exact) for alpha in (1, 2)]
+    [11/32, 8/(15*pi)]
     """
     # The second line of the docstring: no negative power of the sine, so that alpha = 0 needs no limit.
-    first, second = mean(m, sympy.Add(alpha, 1)), mean(m + p - 1, sympy.Add(alpha, 1))
+    first, second = moments.mean(m, alpha + 1), moments.mean(m + p - 1, alpha + 1)
     return ((p - m - alpha) * first + (p + m) * second) / (p + 1)
 
 
-def first_order(forces: Forces) -> tuple[dict[Key, Expr], dict[Key, Expr]]:
+def first_order(forces: Forces, moments: ModuleType) -> tuple[dict[Key, Any], dict[Key, Any]]:
     """U and W - 1 at first order, by monomials."""
-    U: dict[Key, Expr] = {}
-    W: dict[Key, Expr] = {}
+    U: dict[Key, Any] = {}
+    W: dict[Key, Any] = {}
     for f in forces.through(1):
-        ratio, v = to_sympy(f.ratio), to_sympy(f.velocity)
+        ratio, v = moments.number(f.ratio), moments.number(f.velocity)
         if f.sign < 0:
-            U[f.key] = -ratio * mean(f.position, v + 1)
+            U[f.key] = -ratio * moments.mean(f.position, v + 1)
         else:
-            W[f.key] = -ratio * mean(f.position + 1, v)
+            W[f.key] = -ratio * moments.mean(f.position + 1, v)
     return U, W
 
 
-def second_order_cross(forces: Forces) -> dict[Key, Expr]:
+def second_order_cross(forces: Forces, moments: ModuleType) -> dict[Key, Any]:
     """U at second order: the terms of one loss and one spring that depends on the position alone."""
     losses = [f for f in forces.through(1) if f.sign < 0]
     springs = [f for f in forces.through(1) if f.sign > 0 and f.velocity.is_zero]
     return {
-        tuple(a + b for a, b in zip(x.key, y.key)): to_sympy(x.ratio * y.ratio)
-        * cross_term(to_sympy(x.velocity), x.position, y.position)
+        tuple(a + b for a, b in zip(x.key, y.key)): moments.number(x.ratio * y.ratio)
+        * cross_term(moments.number(x.velocity), x.position, y.position, moments)
         for x in losses
         for y in springs
     }
 
 
-def second_order_p(forces: Forces) -> dict[Key, Expr]:
+def second_order_p(forces: Forces, moments: ModuleType) -> dict[Key, Any]:
     """The same terms of p = -U/W: p_(rho gamma) = -U_(rho gamma) + U_rho W_gamma.
 
-    >>> second_order_p(Forces.read([Term(1, 1), Term(1, 0, 3, "position")], 2))
+    >>> second_order_p(Forces.read([Term(1, 1), Term(1, 0, 3, "position")], 2), exact)
     {(1, 1): -5/32}
     """
-    U, W = first_order(forces)
+    U, W = first_order(forces, moments)
     # p = -U/W = -U (1 - (W - 1) + ...): of second order -U_2 + U_1 W_1.
     products = {tuple(a + b for a, b in zip(x, y)): U[x] * W[y] for x in U for y in W}
-    return {key: products[key] - u for key, u in second_order_cross(forces).items()}
+    return {key: products[key] - u for key, u in second_order_cross(forces, moments).items()}

@@ -23,14 +23,15 @@ D(chi_1 delta) = -(alpha - 1) p_1 chi_1 delta^2:
 45/4096
 """
 
-from collections.abc import Callable
 from typing import Any
 
 from sympy import Expr
 
 from asymptotics.expansions.half_swings.symbolic import I_4, alpha
 from asymptotics.expansions.moments.symbolic import moment
-from asymptotics.gauges import AVERAGING, NO_FIRST_HARMONIC, TURNING_POINT, require_gauge
+from asymptotics.expansions.normal_form import in_moments
+from asymptotics.expansions.normal_form.in_moments import Moment, flow_through_third_order, rates
+from asymptotics.gauges import TURNING_POINT
 
 
 def symbolic_expansion() -> dict[str, dict[int, Expr]]:
@@ -39,51 +40,18 @@ def symbolic_expansion() -> dict[str, dict[int, Expr]]:
     U and W are assembled from the closed forms of the module docstring; the tests derive
     them from the equation of motion, for the whole field and not at single exponents.
     """
-    a = alpha
-    U, W = _flow(a, moment, I_4(a))
-    p, Omega = _rates(U, W)
+    U, W = flow_through_fourth_order(alpha, moment, I_4(alpha))
+    p, Omega = rates(U, W)
     return {"U": U, "W": W, "p": p, "Omega": Omega}
 
 
-def _flow(a: Any, moment: Callable[[Any], Any], I4: Any) -> tuple[dict[int, Any], dict[int, Any]]:
+def flow_through_fourth_order(a: Any, moment: Moment, I4: Any) -> tuple[dict[int, Any], dict[int, Any]]:
     """U_1, U_3 and W_2, W_4 of the module docstring, in expressions or in balls."""
-    U_3 = -a * (3 * a + 1) / (6 * (a + 1) ** 2) * moment(3 * a + 1)
+    U, W = flow_through_third_order(a, moment)
     W_4 = a**2 * (35 * a**3 + 9 * a**2 - 17 * a - 3) / (2 * (a + 1) ** 4 * (2 * a + 1) * (3 * a + 1)) * moment(4 * a)
-    W_4 += 3 * (a * (a - 1) / (a + 1)) ** 2 * I4
-    return {1: -moment(a + 1), 3: U_3}, {2: (a / (a + 1)) ** 2 * moment(2 * a), 4: W_4}
-
-
-def _rates(U: dict[int, Any], W: dict[int, Any]) -> tuple[dict[int, Any], dict[int, Any]]:
-    """p = -U/W and Omega = 1/W - 1 through fourth order."""
-    return {1: -U[1], 3: -U[3] + U[1] * W[2]}, {2: -W[2], 4: W[2] ** 2 - W[4]}
+    return U, {**W, 4: W_4 + 3 * (a * (a - 1) / (a + 1)) ** 2 * I4}
 
 
 def omega_2(gauge: str = TURNING_POINT) -> Expr:
     """Omega_2 for symbolic alpha in any of the three gauges (module docstring)."""
-    require_gauge(gauge)
-    a, p_1 = alpha, moment(alpha + 1)
-    # What the argument of c, chi_1 delta, adds: -(alpha - 1) p_1 chi_1 delta^2, with chi_1 of the module docstring.
-    shift = {
-        TURNING_POINT: 0,
-        AVERAGING: (a - 1) / (a + 1),
-        NO_FIRST_HARMONIC: (a - 1) * (a + 3) / (2 * (a + 1)),
-    }[gauge]
-    return -((a / (a + 1)) ** 2) * moment(2 * a) + shift * p_1**2
-
-
-def second_order_sum(alphas: tuple[Any, ...]) -> dict[tuple[int, ...], Expr]:
-    """W at second order for a sum of laws: sum_ij alpha_i alpha_j/((alpha_i+1)(alpha_j+1)) M_(alpha_i+alpha_j) d_i d_j.
-
-    Keys are exponents of the delta_i; the cross terms carry the factor 2.  U has no second-order term.
-
-    >>> second_order_sum((1, 2))
-    {(2, 0): 1/8, (1, 1): 8/(9*pi), (0, 2): 1/6}
-    """
-    found: dict[tuple[int, ...], Expr] = {}
-    for i, a in enumerate(alphas):
-        for j, b in enumerate(alphas[i:], start=i):
-            key = tuple((k == i) + (k == j) for k in range(len(alphas)))
-            term = a * b * moment(a + b) / ((a + 1) * (b + 1))
-            # The pairs (i, j) and (j, i) have one key.
-            found[key] = term * (1 if i == j else 2)
-    return found
+    return in_moments.omega_2(alpha, moment, gauge)

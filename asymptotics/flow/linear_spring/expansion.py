@@ -28,7 +28,6 @@ while |y - y_0| <= d the first holds, so that |dy/dw| <= w/p and the distance st
 """
 
 from dataclasses import dataclass, replace
-from itertools import zip_longest
 from math import ceil, lcm, prod
 from operator import mul
 
@@ -47,7 +46,6 @@ from asymptotics.numbers.context import cached_property, ctx
 _SUMMED = 12  # bits more for sums of hundreds of terms
 _FAINTEST = 2.0**20  # -log2 of the least reach that is looked for
 _LONGEST = 400  # coefficients of a line for many speeds: of 3/2 a place costs a tenth of what it does by rows
-_NONE = arb(0)
 _STEPS = 4  # delta^(1/alpha) is rounded up to a quarter of a power of two: plans are shared
 
 
@@ -150,14 +148,12 @@ class TurningExpansion:
         with ctx.workprec(ctx.prec + _SUMMED):
             # In units of y_0 the monomial of a row is that of the exponents times the powers of epsilon_i/y_0.
             shares = [e / self.y0 for e in self.damping.strengths]
-            square, ys, slow = 1 / self.y0**2, [arb(0)] * length, [arb(0)] * length
+            square, ys, slow = arb_poly([*[0] * (2 * q), 1 / self.y0**2]), arb_poly([]), arb_poly([])
             for k, (m, row, slow_row) in zip(starts, self.rows):
                 unit = prod((x**n for x, n in zip(shares, m)), start=arb(1))
-                for j, (a, b) in enumerate(zip_longest(row.coeffs(), slow_row.coeffs(), fillvalue=_NONE)):
-                    ys[k + 2 * q * j] += unit * a
-                    slow[k + 2 * q * j] += unit * b
-                    unit *= square
-            return replace(self, line=(arb_poly(ys) * self.y0, arb_poly(slow) * (1 / self.y0)), root=q)
+                ys += (row(square) * unit).left_shift(k)
+                slow += (slow_row(square) * unit).left_shift(k)
+            return replace(self, line=(ys * self.y0, slow * (1 / self.y0)), root=q)
 
     def _by_rows(self, w: arb) -> tuple[arb, arb]:
         """(y, tau/w) without the tails."""

@@ -86,3 +86,29 @@ def test_an_acceleration_beside_a_count_is_no_amplitude():
     for name in ("A (m/s^2)", "acc", "a"):
         with pytest.raises(InputError, match="acceleration"):
             read_table({"n": [0, 1, 2, 3], name: [5.0, -4.0, 3.0, -2.0]})
+
+
+def test_a_slow_decay_whose_peaks_rise_by_noise_and_are_found_twice_is_one_of_peaks():
+    """Failed before: fitted as a motion of 30 samples a period."""
+    t, random = 1.43 * np.arange(90), np.random.default_rng(8)
+    size = 0.24 * np.exp(-t / 160) + 0.0013 * random.standard_normal(len(t))
+    assert np.mean(np.diff(size) < 0) < 0.8
+    twice = [20, 55]
+    data = {"t": np.insert(t, twice, t[twice] - 0.06), "amplitude": np.insert(size, twice, size[twice] + 1e-5)}
+    table = read_table({"t": np.sort(data["t"]), "amplitude": data["amplitude"]})
+    assert table.kind == "turning-points" and np.array_equal(table.columns["n"], 2 * np.arange(90))
+    assert any("90 peaks of one side" in note and "(2 found twice count once)" in note for note in table.notes)
+    errors = {**data, "yerr": np.linspace(1, 2, 92)}
+    assert len(read_table(errors).columns["sigma_x"]) == 90
+    # Near miss: values that wander and do not fall are samples.
+    assert read_table({"t": t, "amplitude": 0.3 + 0.1 * random.standard_normal(90)}).kind == "record"
+
+
+def test_maxima_before_the_minima_are_sorted_by_time():
+    """Failed before: a motion of 2 samples a period."""
+    n = np.arange(19)
+    t, x = 0.9 * n, np.exp(-0.03 * n) * (-1.0) ** n
+    order = np.concatenate([n[::2], n[1::2]])
+    table = read_table({"t": t[order], "theta (rad)": x[order]})
+    assert table.kind == "turning-points" and np.array_equal(table.columns["x"], x)
+    assert np.array_equal(table.columns["tau"], t) and any("sorted by time" in note for note in table.notes)

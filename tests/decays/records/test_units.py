@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import asymptotics as asy
-from asymptotics.decays.records.units import ANGLES, LENGTHS, UNITS, suffix
+from asymptotics.decays.records.units import UNITS, suffix
 from asymptotics.errors import InputError
+from asymptotics.numbers.quantities import ANGLES, LENGTHS
 from asymptotics.shell.main import main
 
 SIZES = {"in": 0.0254, "ft": 0.3048, "mrad": 1e-3, "arcmin": np.pi / 10_800}

@@ -5,10 +5,12 @@ from flint import arb, ctx, fmpq
 from asymptotics.errors import InputError
 from asymptotics.expansions.half_swings.exact import exact_half_swing
 from asymptotics.expansions.half_swings.symbolic import I_4, alpha, nested_integral_exact
+from asymptotics.expansions.moments.symbolic import moment
 from asymptotics.expansions.normal_form.closed_forms import symbolic_coefficients
 from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.expansions.normal_form.flow import flow_of
-from asymptotics.expansions.normal_form.symbolic import omega_2, second_order_sum, symbolic_expansion
+from asymptotics.expansions.normal_form.in_moments import second_order_sum
+from asymptotics.expansions.normal_form.symbolic import omega_2, symbolic_expansion
 from asymptotics.gauges import GAUGES
 from tests.second_route.closed_forms import certified_coefficients, derived_coefficient
 
@@ -54,7 +56,7 @@ def test_omega_2_in_each_gauge(n, gauge):
 @pytest.mark.parametrize("alphas", [(0, 2), (1, 2), (1, 3), (0, 1, 2)])
 def test_second_order_of_sums(alphas):
     W = flow_of(exact_half_swing(alphas, 2)).W
-    for key, closed in second_order_sum(alphas).items():
+    for key, closed in second_order_sum(alphas, moment).items():
         c = W[key]
         assert sympy.simplify(closed - (c if isinstance(c, int) else c.to_sympy())) == 0
 

@@ -45,6 +45,8 @@ def _regressed(model: Model, alpha: float | None) -> tuple[Array, float]:
     # Points that noise has carried across 0 must not make a negative power infinite.
     size = np.maximum(np.abs(seen.x - offset), 1e-3 * seen.reference)
     size = (size if model.angle is None else well(size, model.angle)) / model.reference
+    if not np.isfinite(size).all():
+        raise TooStrongError("an amplitude beyond the top of the pendulum")
     weights = first.weights[0]
     units = {k.index(1): j for j, k in enumerate(first.keys) if sum(k) == 1}
     by_loss = np.array([first.L[0, units[i]] for i in range(len(weights))])

@@ -14,27 +14,32 @@ import numpy as np
 
 from asymptotics.decays.identification.forward.coefficients import Array
 
-_SCATTER, _PERIODS, _A_PERIOD = 1.3, 1.0, 8
-"""A scatter above this times the noise is motion (an amplitude of 1.2 of the noise); a shorter rest may be chance; and
-samples of a period, of which a motion scatters twice as much as its neighbours differ."""
+_SCATTER, _PERIODS, _A_PERIOD, _PAIRS = 1.3, 1.0, 8, 10
+"""A scatter above this times the noise is motion (an amplitude of 1.2 of the noise); a shorter rest may be chance; a
+motion scatters twice as much as neighbours differ that are an eighth of its period apart; and so many neighbours as
+near as that know the noise."""
+_ROUNDING = 1e-6
+"""Of a time stamp, in steps of the clock."""
 
 
 def moving(t: Array, x: Array, period: float) -> slice:
     """The samples before the rest, all where there is none."""
-    # Of few samples a period neighbours differ as much as the motion is large.
-    if len(t) < 2 or period < _A_PERIOD * (t[-1] - t[0]) / (len(t) - 1):
+    if len(t) < 2:
         return slice(None)
     # Sums from the end: the scatter of each tail about its own mean.
     back = x[::-1] - x[-1]
     count = np.arange(1, len(x) + 1)
     scatter = np.cumsum(back**2) / count - (np.cumsum(back) / count) ** 2
-    steps = np.cumsum(np.diff(back) ** 2)[:-1] / (2 * count[:-2])
+    # Neighbours far apart, of few samples a period or beside a gap, differ as much as the motion is large.
+    near = _A_PERIOD * np.diff(t)[::-1] <= period * (1 + _ROUNDING)
+    pairs = np.cumsum(near)[:-1]
+    steps = np.cumsum(np.where(near, np.diff(back) ** 2, 0.0))[:-1] / (2 * np.maximum(pairs, 1))
     # A tail that does not change at all is one; a record that does not, or is noise throughout, is refused elsewhere.
-    still = scatter[2:] <= _SCATTER**2 * steps
-    if still[-1]:
+    still = (pairs >= _PAIRS) & (scatter[2:] <= _SCATTER**2 * steps)
+    if not still.any() or still[-1]:
         return slice(None)
-    # The longest tail without motion; of a few samples the noise is not known.
-    last = int(np.flatnonzero(still)[-1]) + 3 if still.any() else 0
-    if last < 12 or t[-1] - t[-last] < _PERIODS * period:
+    # The longest tail without motion.
+    last = int(np.flatnonzero(still)[-1]) + 3
+    if t[-1] - t[-last] < _PERIODS * period:
         return slice(None)
     return slice(int(np.searchsorted(t, t[-last] - period / 2)))

@@ -29,8 +29,9 @@ from asymptotics.decays.identification.measuring.quiet_times import quiet_times
 from asymptotics.decays.identification.measuring.sampled import MAX_SAMPLES, observations_of_motion
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.table import RecordTable
-from asymptotics.decays.records.units import ANGLES, UNITS
+from asymptotics.decays.records.units import UNITS
 from asymptotics.errors import InputError
+from asymptotics.numbers.quantities import ANGLES
 
 _RECORD = RowPlaces("the record")
 _WINDOW, _WIDEST, _SAMPLES = 0.11, 0.26, 4.6
@@ -51,6 +52,9 @@ fewer than 100 a period, or the decay comes nearer to the noise than eight times
 is also the least number of samples of an uneven record whose extremes are fitted."""
 _FEW_EXTREMES = 20
 """So few extremes tell their noise badly, the more so where it remembers; samples whose noise is seen tell it well."""
+_LEAST_EXTREMES, _SCARCE, _LOUD = 4, 8, 0.02
+"""Extremes of a free decay; and where they are fewer than 8 under a noise above 0.02 of the largest, the samples are
+fitted however short the record is: a local polynomial loses such extremes, or moves them."""
 # Nine tenths of the gaps must be below twice the usual one, or a window has too few samples somewhere.
 _UNEVEN = 2.0
 _FEW = 1.0
@@ -97,16 +101,7 @@ def observations_of_record(
     uneven = float(np.quantile(steps, 0.9)) > _UNEVEN * float(np.median(steps))
     if per_period < (_SPARSE if uneven else _LEAST_SAMPLES):
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
-    base = np.array([float(np.median(x)), 0.0])
-    found = _points(t, x - base[0], period)
-    if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
-        slope, level = np.polyfit(t - t[0], x, 1)
-        base = np.array([level, slope])
-        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
-    # Each pass leaves a fraction of the offset: extremes about a wrong base line are moved by it.
-    for _ in range(2):
-        base = base + _base_line(found, t[0])
-        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    found, base = _about_base_line(t, x, period)
     if len(found.x) < 4:
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     # A drift below three errors is removed all the same, but not worth telling.
@@ -115,6 +110,11 @@ def observations_of_record(
     else:
         notes.append(f"base line {base[0]:.4g} removed")
     chosen, discarded = _free_decay(found)
+    if _is_scarce(found, chosen, x):
+        free = t >= (found.t[chosen[0]] if len(chosen) else t[0])
+        return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=table.notes, period=period)
+    if len(chosen) < _LEAST_EXTREMES:
+        raise InputError("FILE", f"only {len(chosen)} turning points form a free decay", f"at least {_LEAST_EXTREMES}")
     # Windows of nine samples for seven coefficients throw most of a sparse record away: noise that is seen is enough.
     sparse = per_period < _SAMPLES / _WINDOW
     noisy = found.noise > (_COARSE if sparse else _NOISY) * abs(found.x[chosen[0]])
@@ -122,7 +122,8 @@ def observations_of_record(
     # Of a few periods the smooth line has too little to begin with.
     few = len(chosen) < _FEW_EXTREMES and found.noise > _COARSE * abs(found.x[chosen[0]])
     if (whole_motion or few or noisy and hard) and (t[-1] - t[0]) / period > 4:
-        free = (t >= found.t[chosen[0]]) & (t <= found.t[chosen[-1]])
+        first, last = _to_passages(found, chosen)
+        free = (t >= first) & (t <= last)
         kept = (*table.notes, *discarded)
         return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=kept, period=period)
     found = _at_quiet_times(t, x - base[0] - base[1] * (t - t[0]), found, chosen, _half_width(t, period))
@@ -139,6 +140,36 @@ def observations_of_record(
     free = (t >= seen.t[0]) & (t <= seen.t[-1])
     record = t[free], (x - base[0] - base[1] * (t - t[0]))[free]
     return replace(seen, window=Window.of(t, seen.t, half, 2 * np.pi / period), floor=floor, record=record)
+
+
+def _about_base_line(t: Array, x: Array, period: float) -> tuple[_Points, Array]:
+    """The extremes and passages about the base line, and its level and slope."""
+    base = np.array([float(np.median(x)), 0.0])
+    found = _points(t, x - base[0], period)
+    if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
+        slope, level = np.polyfit(t - t[0], x, 1)
+        base = np.array([level, slope])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    # Each pass leaves a fraction of the offset: extremes about a wrong base line are moved by it.
+    for _ in range(2):
+        base = base + _base_line(found, t[0])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    return found, base
+
+
+def _to_passages(found: _Points, chosen: Indices) -> tuple[float, float]:
+    """From the first chosen extreme to the last, and on to the passage beside it where nothing was left out there.
+
+    At its very ends a smooth line is known badly; who passes the base line is free.
+    """
+    first, last = float(found.t[chosen[0]]), float(found.t[chosen[-1]])
+    before, after = found.passage_t[found.passage_t < first], found.passage_t[found.passage_t > last]
+    half = float(np.median(np.diff(found.t)))
+    if chosen[0] == 0 and len(before) and first - before[-1] < half:
+        first = float(before[-1])
+    if chosen[-1] == len(found.t) - 1 and len(after) and after[0] - last < half:
+        last = float(after[0])
+    return first, last
 
 
 def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: float) -> _Points:
@@ -308,9 +339,15 @@ def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
         notes.append(f"{first} turning points in all before t = {found.t[first]:.6g} left out: forced or released")
     if last < len(size):
         notes.append(f"{len(size) - last} turning points hidden by noise (t > {found.t[last - 1]:.6g}) left out")
-    if len(chosen) < 4:
-        raise InputError("FILE", f"only {len(chosen)} turning points form a free decay", "at least 4")
     return chosen, notes
+
+
+def _is_scarce(found: _Points, chosen: Indices, x: Array) -> bool:
+    """Whether the extremes are so few and so noisy that the samples tell more."""
+    # Neighbours of white noise differ by sqrt(2) of it, half of them by less than 0.6745 of that; steps and kinks,
+    # which no polynomial follows, are none.
+    scatter = float(np.median(np.abs(np.diff(x)))) / (0.6745 * 2**0.5)
+    return len(chosen) < _SCARCE and min(found.noise, scatter) > _LOUD * float(np.abs(found.x).max())
 
 
 def _steps(t: Array) -> Array:

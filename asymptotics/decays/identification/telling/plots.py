@@ -140,7 +140,8 @@ def measured_decrements(fit: Fit) -> tuple[Array, Array, Array]:
     """
     n, size, error = measured_sizes(fit)
     gaps = np.diff(n)
-    near = gaps == gaps.min()
+    # Of a law whose swings are longer than the record no turning point was measured.
+    near = gaps == gaps.min(initial=fit.model.seen.last + 1)
     means, falls = (size[1:] + size[:-1]) / 2, (size[:-1] - size[1:]) / gaps
     return means[near], falls[near], (np.hypot(error[1:], error[:-1]) / gaps)[near]
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from asymptotics.decays.identification.fitting.profile import Interval
-from asymptotics.decays.records.units import ANGLES, LENGTHS
+from asymptotics.numbers.quantities import ANGLES, LENGTHS
 
 
 @dataclass(frozen=True)

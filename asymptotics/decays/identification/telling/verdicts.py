@@ -7,7 +7,7 @@ import numpy as np
 
 from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
-from asymptotics.decays.identification.judging.allowance import WEAK, Allowance, allowances, told
+from asymptotics.decays.identification.judging.allowance import WEAK, Allowance, allowance_text, allowances
 from asymptotics.decays.identification.judging.contradiction import REFUTED
 from asymptotics.decays.identification.judging.grades import in_words, off
 from asymptotics.decays.identification.judging.judgement import minimal, rivals
@@ -104,7 +104,7 @@ def _one_law(
         text = f"{UNTOLD} to tell {named(law)} from {names}: {few[0].reason or 'too few data for a term more'}"
         return Verdict(UNTOLD, text, "more swings")
     allowed = allowances(law, laws, None if seen is None else seen.reference)
-    said = told(allowed)
+    said = allowance_text(allowed)
     large = [a for a in allowed if a.share is not None and a.share > WEAK]
     if large and seen is not None:
         most = max(large, key=lambda a: a.share or 0.0)
@@ -199,6 +199,9 @@ def what_would_tell(one: Judged, other: Judged, seen: Observations) -> str:
         if factor == 1.0:
             # Chi-squared goes with the inverse square of the noise.
             less = float(np.sqrt(max(difference, 1e-12) / _DIFFERENT))
+            # White noise of this size would have told them: what correlates the residuals is not less of it.
+            if less >= 1:
+                return ""
         elif difference >= _DIFFERENT:
             return (
                 f"to tell {one.candidate} from {other.candidate}: about {last + 1} turning points, "

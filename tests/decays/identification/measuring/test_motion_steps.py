@@ -143,6 +143,23 @@ def test_a_rest_of_fewer_than_twelve_samples_is_none():
     assert moving(t, longer, 6.0) != slice(None)
 
 
+def scattered(rest):
+    """One sample in seven of a record with 60 a period: neighbours are up to a period apart; held still after 80."""
+    t = np.arange(0, 100 if rest else 80, 0.1)
+    random = np.random.default_rng(9)
+    t = t[random.random(len(t)) < 0.15]
+    x = np.where(t < 80, np.exp(-0.01 * t) * np.cos(t), 0.05)
+    return t, x + 2e-3 * random.standard_normal(len(t))
+
+
+def test_neighbours_across_a_gap_are_no_noise():
+    """They differ as much as the tail swings: periods of an amplitude far above the noise were called a rest."""
+    t, x = scattered(rest=False)
+    assert moving(t, x, 2 * np.pi) == slice(None)
+    t, x = scattered(rest=True)
+    assert t[moving(t, x, 2 * np.pi)][-1] == pytest.approx(80 - np.pi, abs=2.0)
+
+
 # Decays of a record.
 
 

@@ -1,6 +1,7 @@
 """The picture of an identification."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,6 +11,7 @@ from matplotlib.collections import PolyCollection
 import asymptotics as asy
 from asymptotics.decays.identification.fitting.profile import quantile
 from asymptotics.decays.identification.synthetic import observed
+from asymptotics.decays.identification.telling import plots
 from asymptotics.decays.identification.telling.plots import (
     _profile,
     decrement_band,
@@ -164,3 +166,12 @@ def test_peaks_of_one_side_have_decrements_and_no_base_line():
         assert fit.rest == 0.0 and fit.model.amplitudes(fit.theta)[0][0] == pytest.approx(20, abs=0.1)
     mean, fall, spread = measured_decrements(answer.law("1").law.fit)
     assert len(mean) == len(n) - 1 and (np.abs(fall - 0.03 * mean) < 4.5 * spread).all()
+
+
+@pytest.mark.parametrize("count", [0, 1])
+def test_a_law_without_two_measured_turning_points_has_no_decrements(monkeypatch, count):
+    """Failed before: "zero-size array", told as a wrong style of the plot, in the place of the whole answer."""
+    fit = SimpleNamespace(model=SimpleNamespace(seen=SimpleNamespace(last=4)))
+    few = np.arange(count), np.ones(count), np.ones(count)
+    monkeypatch.setattr(plots, "measured_sizes", lambda _: few)
+    assert [len(column) for column in measured_decrements(fit)] == [0, 0, 0]
