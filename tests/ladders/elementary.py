@@ -16,8 +16,8 @@ from asymptotics.motions.admission import local_strength
 from asymptotics.motions.invariants import certified as constants
 from asymptotics.motions.invariants.symbolic import generating_function
 from asymptotics.numbers.bridge import closed_form_ball
-from asymptotics.numbers.gamma_sums import gamma
 from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.gamma_sums import gamma
 from asymptotics.terms import Term
 from tests.ladders.machine import Ladder
 
