@@ -8,7 +8,7 @@ RUN = $(VENV)/bin/python -m
 # Tests start hundreds of interpreters: where the machine forbids bytecode, each would compile all modules again.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: reproduce test test-thorough matrix lint docs tables benchmarks locks mutants weakened proofs wheel clean
+.PHONY: reproduce test test-thorough test-share matrix lint docs tables benchmarks locks mutants weakened proofs wheel clean
 
 reproduce: $(VENV)/.reproduce
 	$(RUN) paper_checks --report build/report
@@ -19,6 +19,11 @@ test: $(VENV)/.test
 test-thorough: $(VENV)/.test
 	HYPOTHESIS_PROFILE=nightly FUZZ_EXAMPLES=200 $(RUN) pytest -n $(WORKERS) --dist worksteal
 	$(MAKE) matrix
+
+# A quarter of what `make test` leaves out, that of the week of the year: no slow test goes without a run for longer than a month.
+SHARE ?= $(shell date +%V)
+test-share: $(VENV)/.test
+	SHARE=$(SHARE) HYPOTHESIS_PROFILE=nightly FUZZ_EXAMPLES=200 $(RUN) pytest -n $(WORKERS) --dist worksteal -m slow
 
 # The tests under every Python that is installed and both number types of SymPy, which must not change a result.
 PYTHONS ?= python3.11 python3.12 python3.13 python3.14

@@ -85,10 +85,10 @@ class Frame(Shown):
         """A value with its unit."""
         return f"{value} {unit}" if (unit := self.unit(name)) else f"{value}"
 
-    def told_time(self, value: object) -> str:
+    def time_text(self, value: object) -> str:
         """A time in a sentence.
 
-        >>> Frame("m", "s").told_time(2), BARE.told_time(2)
+        >>> Frame("m", "s").time_text(2), BARE.time_text(2)
         ('2 s', 'tau = 2')
         """
         return f"{value} {self.t}" if self.t else f"tau = {value}"

@@ -4,7 +4,7 @@ Enclosures only: neither coefficients (stated beside; panels of interpolation, o
 Processor time, because the tables are ratios.
 
 >>> run(20).columns
-('what', 'coefficients', 'orbit', 'ratio')
+('what', 'coefficients', 'orbit', 'of the first')
 """
 
 from collections.abc import Callable

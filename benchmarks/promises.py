@@ -140,8 +140,9 @@ def run(size: int = 8) -> Table:
         seconds = _seconds(work)
         if seconds < _LONG:
             seconds = min(seconds, _seconds(work))
-        rows.append((name, seconds_text(seconds), f"{promised:g}", f"{seconds / promised:.2f}"))
-    return Table("Promises kept (a ratio below 1)", ("what", "seconds", "promised", "of the promise"), tuple(rows))
+        share = seconds / promised
+        rows.append((name, seconds_text(seconds), f"{promised:g}", f"{share:.2f}{'' if share < 1 else ': not kept'}"))
+    return Table("Promises", ("what", "seconds", "promised", "of the promise"), tuple(rows))
 
 
 def _seconds(work: Callable[[], object]) -> float:

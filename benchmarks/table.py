@@ -8,9 +8,13 @@ sums
   c     not installed  -
 """
 
+import os
+import sys
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from importlib import import_module
 from math import isfinite, isinf, isnan
+from pathlib import Path
 from time import process_time
 
 REPEATS = 3
@@ -34,6 +38,17 @@ class Table:
     def to_dict(self) -> dict[str, object]:
         """JSON-ready: all entries are strings."""
         return {"title": self.title, "columns": list(self.columns), "rows": [list(row) for row in self.rows]}
+
+
+def measured(name: str, module: str, size: int | None, **more: Path) -> Table:
+    """The table of one benchmark; the processor time it took, its own processes included, goes to stderr."""
+    # Not in ``__main__``, where a second process would not find it.
+    before = os.times()
+    table: Table = import_module(module).run(*(() if size is None else (size,)), **more)
+    seconds = sum(os.times()[:4]) - sum(before[:4])
+    if sys.stderr is not None:  # print would take None for stdout
+        print(f"{name}: {seconds:.0f} s", file=sys.stderr, flush=True)
+    return table
 
 
 def best_time(work: Callable[[], object], repeats: int = REPEATS) -> float:

@@ -5,6 +5,7 @@ import gc
 import linecache
 import os
 import signal
+import zlib
 from pathlib import Path
 
 import pytest
@@ -52,6 +53,10 @@ SLOW = 5400
 """Seconds after which a slow test is ended: the longest, a thousand synthetic records, needs a third of it."""
 
 
+SHARES = 4
+"""Of the slow tests; `make test-share` runs that of the week, so that none is left alone for longer than a month."""
+
+
 COLLECTED = pytest.StashKey[set[str]]()
 
 
@@ -61,9 +66,14 @@ def collected(request):
     return request.config.stash[COLLECTED]
 
 
+def share(name):
+    """In which share of the slow tests one is: that of its name, whatever others there are."""
+    return zlib.crc32(name.encode()) % SHARES
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config, items):
-    """The first tests before all others; a slow one has a longer limit.
+    """The first tests before all others; a slow one has a longer limit, and its share (``SHARE``, the week).
 
     ``thorough.txt`` names dear cases, for ``make test-thorough``: found redundant by ``benchmarks.suite_costs``, or, as
     those of now, chosen by hand from the durations of a run, where others of their kind stay.
@@ -75,6 +85,10 @@ def pytest_collection_modifyitems(config, items):
             item.add_marker(pytest.mark.slow)
         if item.get_closest_marker("slow"):
             item.add_marker(pytest.mark.timeout(SLOW))
+    if week := os.environ.get("SHARE"):
+        left_out = [i for i in items if i.get_closest_marker("slow") and share(i.nodeid) != int(week) % SHARES]
+        config.hook.pytest_deselected(items=left_out)
+        items[:] = [item for item in items if item not in {*left_out}]
     items.sort(key=lambda item: (item.nodeid not in LONGEST, not item.nodeid.startswith(FIRST)))
 
 

@@ -15,13 +15,13 @@ import pytest
 from asymptotics.errors import InputError
 from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.motions.invariants.exact import coefficients
-from benchmarks import cubic_damping, fit_programs, fits, peers
-from benchmarks.__main__ import BENCHMARKS, QUICK, WHOLE, main
+from benchmarks import cubic_damping, fit_programs, fits, peers, promises
+from benchmarks.__main__ import BENCHMARKS, BESIDE, QUICK, WHOLE, main
 from benchmarks.cubic_damping import expand_by_hand, process_seconds
 from benchmarks.decays import Decay
-from benchmarks.report import write
+from benchmarks.report import markdown, write
 from benchmarks.smith_rows import rational_rows
-from benchmarks.table import Table, with_ratios
+from benchmarks.table import Table, measured, with_ratios
 from benchmarks.turning_point_tables import wrong_digits
 
 TINY = {
@@ -101,6 +101,32 @@ def test_the_peers_of_which_pages_have_numbers_stand_there_and_in_the_lock_with_
     for name, (version, pages) in peers.IN_PAGES.items():
         assert f"\n{name}=={version} " in lock
         assert pages and all(f"{name} {version}" in (root / page).read_text(encoding="utf-8") for page in pages)
+
+
+def test_a_run_of_all_has_the_tables_in_their_order(monkeypatch, capsys):
+    assert measured.__module__ != "benchmarks.__main__"  # which a second process does not have under python -m
+    some = {"fits": "fits", "smith-rows": "smith_rows", "certificates": "certificates"}
+    monkeypatch.setattr("benchmarks.__main__.BENCHMARKS", some)
+    monkeypatch.setattr("benchmarks.__main__.QUICK", {"fits": 1, "smith-rows": 5, "certificates": 1})
+    assert main(["--quick", "--no-peers", "--json"]) == 0
+    said = capsys.readouterr()
+    assert list(json.loads(said.out)) == list(some) and some.keys() & set(BESIDE) == {"fits"}
+    assert json.loads(said.out)["fits"]["rows"][1][-1] == "not installed"  # the second process asks no peer either
+    assert re.search(r"^certificates: \d+ s$", said.err, re.M)
+
+
+def test_a_promise_that_is_not_kept_is_called_so(monkeypatch):
+    given = {"slow": (lambda: sum(range(10**5)), 1e-9), "quick": (lambda: None, 9)}
+    monkeypatch.setattr(promises, "promises", lambda _size: given)
+    (*_, slow), (*_, quick) = promises.run(1).rows
+    assert slow.endswith(": not kept") and quick == "0.00"
+
+
+def test_only_times_of_the_same_work_are_called_faster():
+    """A ratio below 1 is; an estimate by a time, or a share of a promise, is not."""
+    rows = (("ours", "1.0"), ("other", "0.5"))
+    assert "Faster: other." in markdown({"x": Table("Title", ("what", "ratio"), rows)}, {})
+    assert "Faster" not in markdown({"x": Table("Title", ("what", "said/taken"), rows)}, {})
 
 
 def test_every_benchmark_has_a_quick_size(capsys):

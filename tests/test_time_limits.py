@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -51,6 +52,33 @@ def test_a_case_with_another_name_is_noticed():
 @pytest.mark.slow
 def test_a_slow_test_has_a_longer_limit(request):
     assert request.node.get_closest_marker("timeout").args[0] > float(request.config.getini("timeout"))
+
+
+class Item:
+    """A collected test, as much of it as the order asks for."""
+
+    def __init__(self, name, slow):
+        self.nodeid, self.slow = name, slow
+
+    def get_closest_marker(self, name):
+        return self.slow and name == "slow" or None
+
+    def add_marker(self, marker):
+        """It has it."""
+
+
+def test_each_slow_test_has_its_turn_in_one_week_of_four(request, monkeypatch):
+    conftest = request.config.pluginmanager.get_plugin(str(Path(__file__).with_name("conftest.py")))
+    hook = SimpleNamespace(pytest_deselected=lambda items: None)
+    every, turns = [Item(f"tests/test_a.py::test_slow[{n}]", True) for n in range(40)], []
+    for week in ("50", "51", "52", "01", "02"):
+        monkeypatch.setenv("SHARE", week)
+        items = [*every, Item("tests/test_a.py::test_quick", False)]
+        conftest.pytest_collection_modifyitems(SimpleNamespace(hook=hook, stash={}), items)
+        assert not items[-1].slow
+        turns.append({item.nodeid for item in items if item.slow})
+    assert set.union(*turns[:4]) == {item.nodeid for item in every} and sum(map(len, turns[:4])) == len(every)
+    assert turns[3] != turns[2] and turns[4] == turns[0]
 
 
 class StartedError(Exception):

@@ -13,10 +13,11 @@ from pathlib import Path
 from typing import Any
 
 from asymptotics.ask.again import compare_again, names_its_request, told_request
-from asymptotics.ask.forces import read_law
+from asymptotics.ask.forces import law_pairs, read_law
 from asymptotics.ask.kinds import Kind
 from asymptotics.ask.laws import LAW_FEEDS, law_options, start_options, unit_options
-from asymptotics.ask.moving import PHYSICAL, read_oscillator, without_units
+from asymptotics.ask.moving import PHYSICAL, read_oscillator, unit_pairs, without_units
+from asymptotics.ask.pairs import excludes, require
 from asymptotics.decays.comparison.reading import rows_of_file
 from asymptotics.decays.comparison.run import Comparison, compare_file
 from asymptotics.decays.comparison.stated import stated
@@ -31,6 +32,9 @@ from asymptotics.tables.inputs import Inputs
 from asymptotics.tables.registry import names
 
 _SAID = (*PHYSICAL, "alpha", "epsilon", "law", "x0", "v0")
+OWN_UNITS = excludes(
+    "damping mass stiffness x0 v0", "table", "a table has its own units", "no such option with a table"
+)
 
 
 @dataclass(frozen=True)
@@ -55,7 +59,7 @@ class GivenInputs:
                 raise InputError(name, "there is no table", f"{name} with table, or the law")
         if self.law is not None:
             return given_of(self.law)
-        given = read_oscillator(self.options, "epsilon", epsilon_beside_units=True)
+        given = read_oscillator(self.options, "epsilon")
         # A start that was given makes x a length of its own; otherwise x is in units of x0, as the law alone has it.
         started = any(getattr(self.options, name, None) is not None for name in ("x0", "v0"))
         return replace(given, frame=frame_of(given.oscillator)) if started else given
@@ -63,14 +67,10 @@ class GivenInputs:
     def inputs(self, table: str, *, needed: bool) -> Inputs:
         """The inputs of a table; ``needed``: coefficients alone do not say of which law they are."""
         options = self.options
-        for name in (*PHYSICAL, "x0"):
-            if getattr(options, name, None) is not None:
-                raise InputError(f"--{name}", "a table has its own units", "no such option with a table")
+        require((OWN_UNITS,), {**vars(options), "table": table})  # also of one that is known by its columns
         if needed and not (options.alpha or options.law or self.law or self.alpha):
             reason = "is missing: coefficients alone do not say of which law"
             raise InputError("alpha", reason, "an exponent, or a law")
-        if options.law and (options.alpha is not None or options.epsilon is not None):
-            raise InputError("--law", "it stands next to --alpha or --epsilon", "one or the other")
         if options.alpha is None and options.epsilon is None and not options.law:
             return Inputs.read(self.alpha, self.epsilon, self.law)
         return Inputs.read(
@@ -84,10 +84,12 @@ def _sum(laws: list[str]) -> Law:
     return read_law(argparse.Namespace(alpha=None, epsilon=None, law=laws), "epsilon")
 
 
+# A table may have its strengths alone: what one law lacks is known where it is read.
+_PAIRS = tuple(p for p in (*law_pairs("epsilon", "damping"), *unit_pairs("damping")) if not p.needed)
 GIVEN_INPUTS = Kind(
     "LAW", lambda law, _, alpha=None, epsilon=None: GivenInputs(law, alpha=alpha, epsilon=epsilon),
     assemble=lambda options: GivenInputs(options=options), beside=("alpha", "epsilon"), group="the law",
-    feeds={**LAW_FEEDS, "alpha": ("alpha", "law")},
+    feeds={**LAW_FEEDS, "alpha": ("alpha", "law")}, pairs=_PAIRS,
     options=(
         *law_options("its dimensionless strength, b omega_0^alpha x0^(alpha-1) / k", springs=False),
         *unit_options(), *start_options("x0", "v0"),
@@ -150,7 +152,9 @@ def _of_its_header(path: Path, *, series: bool) -> GivenInputs:
         reason = f"it is of an oscillator with --{special}, and its header does not name the request"
         raise InputError("FILE", reason, "a motion, or turning points written by --csv of this version")
     kept = {k: v for k, v in inputs.items() if k in ("alpha", "law") or not series}
-    return GivenInputs(options=without_units(argparse.Namespace(**{**dict.fromkeys(INPUTS), **kept})))
+    given = {**dict.fromkeys(INPUTS), **kept}
+    require(GIVEN_INPUTS.pairs, given)  # a header is foreign text
+    return GivenInputs(options=without_units(argparse.Namespace(**given)))
 
 
 def _is_motion(path: Path) -> bool:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from asymptotics.ask.kinds import Option
+from asymptotics.ask.pairs import Pair, demands, needs, typed_value
 from asymptotics.numbers.integers import parse_integer
 from asymptotics.present.drawn import KINDS
 from asymptotics.present.figures import DPI, SIZE
@@ -41,8 +42,7 @@ class Request:
 
     def typed(self, name: str) -> Any:
         """An option as it was typed; None where it was not given, or there is none."""
-        found = getattr(self.options, name, None)
-        return None if found is False else found
+        return typed_value(self.options, name)
 
     @property
     def has_files(self) -> bool:
@@ -121,7 +121,7 @@ class Offers:
     rows_done               (text, rows, what is missing) of the table, of the rows that were done when making it was
                             cut short; None of what is no such row
     inverse                 another ``Question``, asked in the place of this one where its first option is given
-    lacks                   a common option that means nothing here -> why
+    lacks                   a common option, or one of other commands, that means nothing here -> why, or what is meant
     ======================  ==========================================================================================
     """
 
@@ -178,6 +178,20 @@ class Offers:
         if self.latex:
             return str(self.as_latex(found, request))
         return found._formula() if isinstance(found, Shown) else ""
+
+    def pairs(self) -> tuple[Pair, ...]:
+        """Which of these options need another one."""
+        table, picture = ("csv",) if self.table else (), ("plot",) if self.picture else ()
+        found = []
+        if picture:
+            found.append(needs("size dpi", "plot", "there is no picture", "--plot FILE with it"))
+        if self.overlay:
+            found.append(needs("overlay", "plot", "there is no picture", "--plot FILE with it"))
+        if self.curve:
+            drawn, accepted = " ".join((*picture, *table)), "a time > 0 with --plot or --csv"
+            found.append(needs("points", "csv", "there is no table to give rows to", "--points with --csv"))
+            found.append(demands(drawn, "time", accepted, "there is no stretch of time to draw"))
+        return tuple(found)
 
     def options(self) -> tuple[Option, ...]:
         """The options of the shell that these parts make."""

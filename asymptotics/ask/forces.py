@@ -20,6 +20,7 @@ Where a command needs no strengths, ``:E`` and ``:C`` may be left out.  M and P 
 import argparse
 from dataclasses import dataclass
 
+from asymptotics.ask.pairs import Pair, demands, excludes
 from asymptotics.errors import InputError
 from asymptotics.law import Law
 from asymptotics.numbers.exact import REAL_FORMS, ExactReal, parse_real
@@ -64,8 +65,26 @@ class GivenTerms:
         return [{k: v for k, v in t.to_dict().items() if k != "strength"} for t in self.terms]
 
 
+def law_pairs(*strengths: str) -> tuple[Pair, ...]:
+    """One law has an exponent and a strength, a sum terms: not both, and no strength without its exponent.
+
+    ``strengths``: the options of one, the usual one first.
+    """
+    beside = [excludes(name, "law", "belongs to --alpha", law_forms(name)) for name in strengths]
+    alone = [demands(name, "alpha", law_forms(name)) for name in strengths]
+    return (excludes("alpha", "law", accepted=law_forms(strengths[0])), *beside, *alone)
+
+
+def law_forms(strength: str) -> str:
+    """How a law is given; ``strength``: the option of one term's strength."""
+    letter = "B" if strength == "damping" else "E"
+    return f"either --alpha A and --{strength} {letter}, or --law A:{letter} once for each term"
+
+
 def read_law(options: argparse.Namespace, strength: str, *, negative: bool = False) -> Law:
-    """The law with its strengths; InputError for both forms at once, a missing half, too many terms, or bad numbers.
+    """The law with its strengths; InputError for a missing half, too many terms, or bad numbers.
+
+    Both forms at once are refused before (``law_pairs``).
 
     ``negative``: whether losses may be negative (anti-damping).
     """
@@ -106,23 +125,15 @@ def _require_few(count: int) -> None:
 
 def _losses(options: argparse.Namespace, strength: str, *, needed: bool, negative: bool) -> list[Term]:
     value = getattr(options, strength)
-    letter = "B" if strength == "damping" else "E"
-    forms = f"either --alpha A and --{strength} {letter}, or --law A:{letter} once for each term"
     if options.law:
-        if options.alpha is not None:
-            raise InputError("--alpha", "cannot be combined with --law", forms)
-        if value is not None:
-            raise InputError(f"--{strength}", "belongs to --alpha", forms)
         return [_loss(text, needed, negative) for text in options.law]
     if options.alpha is None:
-        if value is not None:
-            raise InputError("--alpha", "is missing", forms)
         # Springs alone are a sum without losses, which the commands of series serve.
-        if getattr(options, "spring", None):
+        if value is None and getattr(options, "spring", None):
             return []
-        raise InputError("--alpha", "is missing", forms)
+        raise InputError("--alpha", "is missing", law_forms(strength))
     if value is None and needed:
-        raise InputError(f"--{strength}", "is missing", forms)
+        raise InputError(f"--{strength}", "is missing", law_forms(strength))
     number = ExactReal(1) if value is None else _strength(value, f"--{strength}", negative)
     return [Term(number, read_alpha(options.alpha, "--alpha"))]
 

@@ -20,9 +20,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from asymptotics.ask.pairs import Pair
 from asymptotics.errors import InputError, require_choice, require_flag, shown
 from asymptotics.numbers.exact import REAL_FORMS
 from asymptotics.numbers.policy import exact_double, exact_integer, exact_number, exact_seconds
+from asymptotics.running.budget import Unasked
 
 COMPUTED = "what to compute"
 
@@ -33,7 +35,7 @@ class Option:
 
     ``repeated``: it may be given again, ``several``: it takes one word or more, ``place``: it stands without its name;
     ``rest``: it is all words behind a place;
-    ``words``: the values that there are, for the completion of a shell.
+    ``words``: the values that there are, for the completion of a shell; ``beside``: what --help says of other options.
     """
 
     name: str
@@ -47,6 +49,7 @@ class Option:
     needed: bool = False
     dest: str = ""
     words: tuple[str, ...] = ()
+    beside: str = ""
 
     @property
     def key(self) -> str:
@@ -61,15 +64,14 @@ class Option:
             return
         if self.place:
             count = "+" if self.several and self.needed else "*" if self.several else None if self.needed else "?"
-            parser.add_argument(self.key, metavar=self.letter, nargs=count, **more).words = self.words
-            return
-        if not self.letter:
-            parser.add_argument(f"--{self.name}", dest=self.key, action="store_true", **more)
-            return
-        more |= {"action": "append"} if self.repeated else {"nargs": "+"} if self.several else {}
-        parser.add_argument(
-            f"--{self.name}", dest=self.key, metavar=self.letter, required=self.needed, **more
-        ).words = self.words
+            made = parser.add_argument(self.key, metavar=self.letter, nargs=count, **more)
+        elif not self.letter:
+            made = parser.add_argument(f"--{self.name}", dest=self.key, action="store_true", **more)
+        else:
+            more |= {"action": "append"} if self.repeated else {"nargs": "+"} if self.several else {}
+            more |= {"metavar": self.letter, "required": self.needed}
+            made = parser.add_argument(f"--{self.name}", dest=self.key, **more)
+        made.words, made.beside = self.words, self.beside
 
 
 @dataclass(frozen=True)
@@ -83,6 +85,7 @@ class Kind:
     ``options`` and ``assemble``: a kind that several options make (a law, a start); ``feeds`` says which of them may
     have set a parameter of the library, so that an error can name the one that was typed.  ``in_header``: the header of
     a file says it; no, where the table does not depend on it.
+    ``pairs``: which of its options exclude or need each other; ``word``: the option that a text in Python stands for.
     """
 
     letter: str
@@ -102,6 +105,8 @@ class Kind:
     assemble: Callable[[argparse.Namespace], Any] | None = None
     feeds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     in_header: bool = True
+    pairs: tuple[Pair, ...] = ()
+    word: str = ""
 
     def called(self, **changes: Any) -> "Kind":
         """The same kind under another option, in another group, or needed."""
@@ -128,10 +133,14 @@ def _reals(value: Any, name: str) -> tuple[Any, ...]:
     return tuple(exact_number(part, name) for part in given)
 
 
+def _seconds(value: Any, name: str) -> float:
+    return value if isinstance(value, Unasked) else exact_seconds(value, name)
+
+
 REALS = Kind("D", _reals, schema={"type": "string", "description": f"one or several, with commas: {REAL_FORMS}"})
 """A number, or several: a list, or a text with commas."""
 SECONDS = Kind(
-    "S", exact_seconds, schema={"type": "string"}, group="limits", option="max-seconds", default="60"
+    "S", _seconds, schema={"type": "string"}, group="limits", option="max-seconds", default="60"
 )  # read where the time begins
 
 

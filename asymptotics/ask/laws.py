@@ -12,10 +12,10 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
-from asymptotics.ask.forces import FORMS_FROM_0, GivenTerms, read_alpha, read_law, read_terms
+from asymptotics.ask.forces import FORMS_FROM_0, GivenTerms, law_pairs, read_alpha, read_law, read_terms
 from asymptotics.ask.kinds import Kind, Option
-from asymptotics.ask.moving import QUANTITIES, is_physical, read_moving, read_oscillator
-from asymptotics.errors import InputError
+from asymptotics.ask.moving import QUANTITIES, is_physical, read_moving, read_oscillator, unit_pairs
+from asymptotics.ask.pairs import excludes, needs
 from asymptotics.expansions.equations.given import terms_of
 from asymptotics.law import Law, Oscillator
 from asymptotics.law_given import Given, given_at_unit_start, law_of
@@ -69,7 +69,7 @@ def start_options(*names: str) -> tuple[Option, ...]:
 
 
 def _terms(value: Any, _name: str, spring: Any = None) -> GivenTerms | str:
-    if isinstance(value, str) and value.strip() == SYMBOLIC and spring is None:
+    if isinstance(value, str) and value.strip() == SYMBOLIC:
         return SYMBOLIC
     terms, strengths, _, notes = terms_of(value, spring)
     return GivenTerms(terms, notes, known=strengths is not None)
@@ -87,6 +87,11 @@ TERMS = Kind(
     feeds=LAW_FEEDS,
     group="the law",
     beside=("spring",),
+    pairs=(
+        *law_pairs("epsilon"),
+        excludes("spring", "alpha=symbolic", "cannot be combined with a symbolic exponent", "one law, in closed form"),
+    ),
+    word="alpha",
 )
 """Terms whose strengths may be left out; ``SYMBOLIC`` for a symbol in the place of the exponent."""
 
@@ -115,7 +120,11 @@ def _in_units_of_options(options: argparse.Namespace) -> TermsInUnits:
 
 
 TERMS_IN_UNITS = replace(
-    TERMS, read=_in_units, assemble=_in_units_of_options, options=(*law_options(), *unit_options())
+    TERMS,
+    read=_in_units,
+    assemble=_in_units_of_options,
+    options=(*law_options(), *unit_options()),
+    pairs=(*law_pairs("epsilon", "damping"), *unit_pairs()),
 )
 """Terms whose strengths may be left out; in SI with --damping, --mass or --stiffness."""
 
@@ -129,7 +138,11 @@ def law_with_strengths(meaning: str, *, negative: bool = False, springs: bool = 
     return Kind(
         "LAW", _law, beside=("spring",), options=law_options(meaning, springs=springs), feeds=LAW_FEEDS,
         assemble=lambda options: read_law(options, "epsilon", negative=negative), group="the law",
+        pairs=law_pairs("epsilon"),
     )  # fmt: skip
+
+
+MOVING_PAIRS = (*unit_pairs(), *law_pairs("epsilon", "damping"))
 
 
 def _moving(value: Any, _name: str) -> Given:
@@ -144,7 +157,10 @@ def moving(
 ) -> Kind:
     """What moves, and from where: a law, with units where --damping, --mass or --stiffness is given, and its start."""
     options = (*law_options(meaning, springs=springs), *unit_options(), *start_options(*start))
-    return Kind("LAW", _moving, options=options, assemble=read_oscillator, feeds=LAW_FEEDS, group="the law")
+    return Kind(
+        "LAW", _moving, options=options, assemble=read_oscillator, feeds=LAW_FEEDS, group="the law",
+        pairs=MOVING_PAIRS,
+    )  # fmt: skip
 
 
 MOVES = moving()
@@ -162,14 +178,23 @@ def _moving_or_formulas_of_options(options: argparse.Namespace) -> Given | Exact
     # One exponent without any number is the symbolic case; a sum without strengths has no explicit solution to show.
     alone = options.alpha is not None and options.law is None and options.spring is None
     if alone and options.epsilon is None and not is_physical(options):
-        for name in ("x0", "v0"):
-            if getattr(options, name) is not None:
-                raise InputError(f"--{name}", "formulas alone have no start in numbers", "--epsilon E with it")
         return SYMBOLIC if options.alpha == SYMBOLIC else read_alpha(options.alpha, "--alpha")
-    if alone and options.alpha == SYMBOLIC:
-        raise InputError("--alpha", "a symbolic exponent has no numbers", "--alpha symbolic alone")
     return read_oscillator(options, "epsilon")
 
 
-MOVES_OR_FORMULAS = replace(MOVES, read=_moving_or_formulas, assemble=_moving_or_formulas_of_options)
+_STRENGTHS = "epsilon damping mass stiffness"
+MOVES_OR_FORMULAS = replace(
+    MOVES,
+    read=_moving_or_formulas,
+    assemble=_moving_or_formulas_of_options,
+    word="alpha",
+    pairs=(
+        *unit_pairs(),
+        *law_pairs("epsilon", "damping"),
+        excludes(
+            "alpha=symbolic", f"{_STRENGTHS} spring", "a symbolic exponent has no numbers", "--alpha symbolic alone"
+        ),
+        needs("x0 v0", f"{_STRENGTHS} law spring", "formulas alone have no start in numbers", "--epsilon E with it"),
+    ),
+)
 """The same, or an exponent alone, or ``SYMBOLIC``, of which there are formulas and no numbers."""

@@ -23,6 +23,7 @@ from typing import Any
 from asymptotics.ask.answers import Request
 from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import Kind
+from asymptotics.ask.pairs import Pair, excludes
 from asymptotics.errors import InputError, shown
 from asymptotics.frames import BARE, frame_of
 from asymptotics.law import Law, Oscillator
@@ -33,7 +34,7 @@ from asymptotics.numbers.quantities import in_si, unit_behind
 from asymptotics.present.drawn import Drawn
 from asymptotics.terms_given import PENDULUM
 
-OVERLAY = "with --plot: another law in the same picture, A:B or A:B+A:B; repeat it"
+OVERLAY = "another law in the same picture, A:B or A:B+A:B; repeat it"
 PHYSICAL = ("damping", "mass", "stiffness")
 _WITH_UNITS = ("x0", "v0", "time")
 """What has a unit beside one of those."""
@@ -63,6 +64,12 @@ TIME = Kind("T", _time)
 def is_physical(options: argparse.Namespace) -> bool:
     """Whether the command is in SI: whether --damping, --mass or --stiffness was given."""
     return any(getattr(options, name, None) is not None for name in PHYSICAL)
+
+
+def unit_pairs(*units: str) -> tuple[Pair, ...]:
+    """b and epsilon say the same thing, each in its units: --epsilon is refused beside these."""
+    accepted = "--epsilon alone, or --damping instead"
+    return (excludes("epsilon", " ".join(units or PHYSICAL), "it has no units, and {other} has", accepted),)
 
 
 def without_units(options: argparse.Namespace) -> argparse.Namespace:
@@ -104,20 +111,14 @@ def plain_list(text: str, name: str, *, physical: bool, pendulum: bool) -> str:
     return "".join(plain)
 
 
-def read_oscillator(
-    options: argparse.Namespace, strength: str = "damping", *, epsilon_beside_units: bool = False
-) -> Given:
-    """The oscillator of the options; InputError for --epsilon and units at once.
+def read_oscillator(options: argparse.Namespace, strength: str = "damping") -> Given:
+    """The oscillator of the options; --epsilon and units at once are refused before (``unit_pairs``).
 
-    ``strength``: what is said to be missing when there is none.  ``epsilon_beside_units``: with a mass or a stiffness
-    --epsilon is the dimensionless strength of the oscillator in SI; InputError if the b of that is no exact number.
+    ``strength``: what is said to be missing when there is none.  Where --epsilon stands beside a mass or a stiffness it
+    is the dimensionless strength of the oscillator in SI; InputError if the b of that is no exact number.
     """
     given = [name for name in QUANTITIES if getattr(options, name, None) is not None]
     si, named = is_physical(options), options.epsilon is not None
-    # b and epsilon say the same thing, each in its units: both at once would be one too many.
-    if named and si and (options.damping is not None or not epsilon_beside_units):
-        other = next(name for name in PHYSICAL if getattr(options, name) is not None)
-        raise InputError("--epsilon", f"it has no units, and --{other} has", "--epsilon alone, or --damping instead")
     if options.alpha is not None and not (named or si or options.law):
         raise InputError("--epsilon", "is missing", "--epsilon E, without units; or --damping B in N (s/m)^alpha")
     # Under the name by which it was given, or would have to be given: an error names that option.
@@ -143,8 +144,8 @@ def _rests(options: argparse.Namespace) -> bool:
 
 
 def require_stretch(request: Request) -> None:
-    """InputError for a picture or a table of a curve without a time > 0 at which it ends."""
-    if request.has_files and (request["time"] is None or not request["time"] > 0):
+    """InputError for a picture or a table of a curve that ends where it begins."""
+    if request.has_files and not request["time"] > 0:
         raise InputError("--time", "there is no stretch of time to draw", "a time > 0 with --plot or --csv")
 
 

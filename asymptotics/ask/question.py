@@ -21,13 +21,15 @@ import inspect
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, is_dataclass, replace
+from functools import cached_property
 from typing import Any, ParamSpec, TypeVar, cast, get_type_hints
 
 from asymptotics.ask.answers import FLAGS, Offers
 from asymptotics.ask.kinds import SECONDS, Kind, Option
+from asymptotics.ask.pairs import Pair, pairs_in_help, require, typed_value
 from asymptotics.errors import InputError
 from asymptotics.numbers.policy import float_notes
-from asymptotics.running.budget import DEFAULT_SECONDS
+from asymptotics.running.budget import DEFAULT_SECONDS, Unasked
 from asymptotics.running.public import public, public_beside_others
 from asymptotics.running.signature import readable
 
@@ -69,6 +71,17 @@ class Asked:
         )  # fmt: skip
 
     @property
+    def left_out(self) -> Any:
+        """The value where none is given: of a time, one that nobody asked for."""
+        timed = self.name == "max_seconds" and self.default is not None
+        return Unasked(self.default) if timed else self.default
+
+    @property
+    def is_one_option(self) -> bool:
+        """Whether the parameter of Python says the same as one option of the shell."""
+        return all(o.key == self.name for o in self.kind.options)
+
+    @property
     def options(self) -> tuple[Option, ...]:
         """All options that set it."""
         return self.kind.options or ((self.option,) if self.kind.in_shell else ())
@@ -80,7 +93,7 @@ class Question:
 
     ``example``: a request in words of the shell that is answered at once, by which all tests of every command ask it;
     ``{data}`` stands for a file with columns n and x, ``{folder}`` for a new folder.  ``rests``: what an answer rests
-    on where it has no certificate, a sentence of the ledger of trust.
+    on where it has no certificate, a sentence of the ledger of trust.  ``own_pairs``: what cannot stand together.
     """
 
     name: str
@@ -91,6 +104,7 @@ class Question:
     swept: bool = False
     example: str = ""
     rests: str = ""
+    own_pairs: tuple[Pair, ...] = ()
 
     def __getitem__(self, name: str) -> Asked:
         """A parameter by its name."""
@@ -112,6 +126,23 @@ class Question:
         more = [replace(o, needed=False) for a in other for o in a.options if o.key not in known]
         return (*own, *more, *self.offers.options())
 
+    @cached_property
+    def pairs(self) -> tuple[Pair, ...]:
+        """All pairs of options that are refused, or needed."""
+        other = () if self.offers.inverse is None else self.offers.inverse.pairs
+        all_pairs = (
+            *(pair for a in self.asked for pair in a.kind.pairs),
+            *self.own_pairs,
+            *self.offers.pairs(),
+            *other,
+        )
+        always = {o.name for a in self.asked for o in a.options if o.needed}
+        return tuple(
+            dict.fromkeys(
+                p for p in all_pairs if not (p.needed and any(c.name in always and not c.words for c in p.others))
+            )
+        )
+
     def asked_by(self, options: argparse.Namespace) -> "Question":
         """The question that these options ask: this one, or the other one of the command."""
         other: Question | None = self.offers.inverse
@@ -119,7 +150,8 @@ class Question:
 
     def add_to(self, parser: argparse.ArgumentParser, refuse: type[argparse.Action] | None = None) -> None:
         """Declare the options under their headings, then those that mean nothing here, hidden, each with its reason."""
-        options = self.options
+        beside = {o.name: pairs_in_help(self.pairs, o.name, self._spelled_option) for o in self.options}
+        options = tuple(replace(o, beside=beside[o.name]) for o in self.options)
         if any(o.rest for o in options):  # what is needed may stand among the rest: it is asked for when it is read
             options = tuple(replace(o, needed=o.needed and o.place) for o in options)
         for option in (o for o in options if o.place):
@@ -139,19 +171,37 @@ class Question:
 
     def read(self, given: Mapping[str, Any], spelled: Callable[[str], str] = str) -> dict[str, Any]:
         """The values of texts or of objects, by one reader, in the declared order; ``spelled`` names the argument."""
-        made = {}
+        made, said = {}, self._said(given)
         for a in self.asked:
+            require(a.kind.pairs, said, self._spelled_option)
             value = given.get(a.name, a.default)
             if a.kind.assemble is not None and isinstance(given.get(OPTIONS), argparse.Namespace):
                 made[a.name] = a.kind.assemble(given[OPTIONS])
             elif value is inspect.Parameter.empty:
                 raise InputError(spelled(a.name), "is missing", a.help)
             elif value is a.default:
-                made[a.name] = value
+                made[a.name] = a.left_out
             else:
                 beside = {name: given[name] for name in a.kind.beside if name in given}
                 made[a.name] = a.kind.read(value, spelled(a.name), **beside)
+        require((*self.own_pairs, *self.offers.pairs()), said, self._spelled_option)
         return made
+
+    def _said(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        """What was given, by the name of its option; None of what was not.  Python has not all that the shell has."""
+        typed = given.get(OPTIONS)
+        if isinstance(typed, argparse.Namespace):
+            keys = {name.replace("_", "-"): name for name in vars(typed)} | self._keys
+            return {name: typed_value(typed, key) for name, key in keys.items()}
+        values = {a.name: v for a in self.asked if (v := given.get(a.name, a.default)) is not a.default}
+        said = {a.option.name: values.get(a.name) for a in self.asked if a.is_one_option}
+        said |= {name: given.get(name) for a in self.asked for name in a.kind.beside}
+        words = {a.kind.word: values.get(a.name) for a in self.asked if a.kind.word}
+        return said | {name: word if isinstance(word, str) else None for name, word in words.items()}
+
+    @cached_property
+    def _keys(self) -> dict[str, str]:
+        return {o.name: o.key for o in self.options}
 
     def of_options(self, options: argparse.Namespace) -> dict[str, Any]:
         """The values of parsed options."""
@@ -163,6 +213,11 @@ class Question:
         """A parameter as the shell calls it."""
         option = self[name].option
         return option.letter if option.place else f"--{option.name}"
+
+    def _spelled_option(self, name: str) -> str:
+        """An option as the shell calls it, whichever parameter it sets."""
+        place = next((o.letter for o in self.options if o.place and o.name == name), "")
+        return place or f"--{name}"
 
     def words(self, options: argparse.Namespace) -> list[str]:
         """The request as the header of a file says it: the command, and the options that were given.
@@ -205,16 +260,19 @@ class Question:
         properties: dict[str, Any] = {}
         for a in self.asked:
             for o in a.options:
-                one: Mapping[str, Any] = a.kind.schema if not a.kind.options else {"type": "string"}
+                one: Mapping[str, Any] = (
+                    a.kind.schema if not a.kind.options else {"type": "string" if o.letter else "boolean"}
+                )
                 listed = o.repeated or o.several
                 properties[o.name] = {"description": o.help, **({"type": "array", "items": one} if listed else one)}
                 if not a.kind.options and isinstance(a.default, int | str) and a.default not in ("", False):
                     properties[o.name]["default"] = a.default if one.get("type") == "integer" else str(a.default)
         needed = [o.name for a in self.asked for o in a.options if o.needed]
+        together = [one for pair in self.pairs for one in pair.schema(properties)]
         return {
             "$schema": "https://json-schema.org/draft/2020-12/schema", "title": self.name,
             "description": self.page.partition("\n")[0], "type": "object", "properties": properties,
-            "required": needed, "additionalProperties": False,
+            "required": needed, "additionalProperties": False, **({"allOf": together} if together else {}),
         }  # fmt: skip
 
     def in_python(self, error: InputError) -> InputError:
@@ -224,6 +282,7 @@ class Question:
         """
         called = {self.spelled(a.name): a.name for a in self.asked if not a.kind.options}
         called |= {o.letter: a.name for a in self.asked for o in a.kind.options if o.place}
+        called |= {f"--{a.kind.word}": a.name for a in self.asked if a.kind.word}
         argument = called.get(error.argument, _in_python(error.argument, called))
         texts = (argument, *(_in_python(text, called) for text in (error.reason, error.accepted)))
         if texts == (error.argument, error.reason, error.accepted):
@@ -252,16 +311,23 @@ def _in_python(text: str, called: Mapping[str, str]) -> str:
 
 
 def question(
-    offers: Offers, *, example: str = "", rests: str = "", name: str = "", swept: bool = False, alone: bool = True
+    offers: Offers,
+    *,
+    example: str = "",
+    rests: str = "",
+    name: str = "",
+    swept: bool = False,
+    alone: bool = True,
+    pairs: tuple[Pair, ...] = (),
 ) -> Callable[[Callable[P, T]], Callable[P, T]]:
     """Declare a question: the public call that reads its values and has its time, with the ``Question`` beside it.
 
     ``example``, ``rests``: see ``Question``.  ``swept``: it answers one set of values with one record.  ``alone``:
-    whether it computes in balls itself.
+    whether it computes in balls itself.  ``pairs``: options that cannot stand together, or need another one.
     """
 
     def declared(function: Callable[P, T]) -> Callable[P, T]:
-        made = replace(_question(function, offers, name), swept=swept, example=example, rests=rests)
+        made = replace(_question(function, offers, name), swept=swept, example=example, rests=rests, own_pairs=pairs)
         compute = cast("Any", function)
         signature = inspect.signature(function)
 

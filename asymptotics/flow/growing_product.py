@@ -27,7 +27,7 @@ from operator import mul
 from flint import arb, arb_poly
 
 _NONE = arb(0)
-FEW = 60
+_FEW = 60
 """Coefficients below which one sum is as cheap.  The step of x'|x'|^(1/2)/10 in 80, 160, 300 and 1000 bits has 39, 73,
 132 and 426: by blocks its coefficients take 1.1, 0.8, 0.6 and 0.33 times as long as by sums.  A pair costs 130 to 250
 ns in Python and 15 to 40 in a polynomial, which costs 1 microsecond besides; blocks of 6 to 33 differ by 10 %.
@@ -37,13 +37,13 @@ products take 0.3 of the 2 ms of a step, in 1000 2.1 of 20 ms.  Sizes of blocks 
 took 1.0 to 1.1 times as long, as short products cost 40 ns a pair in 300 bits and 190 in 1000; Newton's method for all
 coefficients at once, whose variational equation (u', w') and its Wronskian solve, 0.85 times in 80 bits, 1.25 in 300
 and 1000, and its balls had half of the bits.  One step of it from the first half, whose variational equation is solved
-by its recurrence (``taylor``), is what pays for few coefficients: 0.7 times in 80 and 120 bits, 0.95 in 150, 1.3 in
-300, where the logarithm and the exponential alone take 25, 150 and 790 microseconds."""
+by its recurrence (``taylor``), and that half likewise, is what pays below a hundred coefficients: 0.6 times in 80 bits,
+0.8 in 150 and 220, 1.0 in 300, where logarithm and exponential alone take 25, 140, 350 and 750 microseconds."""
 
 
 def block_for(order: int) -> int:
     """The length of a block for so many coefficients: as many coefficients as blocks."""
-    return order if order < FEW else isqrt(order) + 1
+    return order if order < _FEW else isqrt(order) + 1
 
 
 class GrowingProduct:

@@ -133,8 +133,8 @@ class CertifiedFlow:
         yield from ()
         return None
 
-    def read_off(self, _u: arb, _first: "DeparturePiece", _given: arb) -> "Piece | None":
-        """The piece after departing from rest at u, if known without steps; may begin earlier.  Its flow goes on."""
+    def read_off(self, _u: arb, _given: arb) -> "tuple[LocalExpansion, Piece] | None":
+        """The expansion from rest at u up to a piece that is known without steps, and that piece; its flow goes on."""
         return None
 
     def exact(self, _n: int) -> tuple[Fraction, bool] | None:
@@ -269,11 +269,11 @@ def half_swing_pieces(
     # The powers of w have no Taylor series in the time at rest.  A creep from rest is caught first, and never expanded.
     if w == 0:
         yield from flow.along_slow_curve(here, _ended(flow, unit, here))
-        first = _departure(flow, unit, here)
-        known, reach = flow.read_off(u, first, error), first.expansion.reach
+        expansion, known = flow.read_off(u, error) or (None, None)
+        first = _departure(flow, unit, here, expansion)
         yield from (first,) if known is None else (replace(first, end=known.begin), known)
-        here = after(*((known, *known.own(known.end)) if known else (first, first.expansion.state(reach)[0], reach)))
-        flow = known.flow if known else flow
+        place, w = known.own(known.end) if known else (first.expansion.state(reach := first.expansion.reach)[0], reach)
+        here, flow = after(known or first, place, w), known.flow if known else flow
     ended: str | None = None
     for count in range(pieces):
         tick(f"piece {count} of {'a half-swing' if ended in (None, ESCAPES, ROTATES) else _BY_STEPS}")
@@ -336,12 +336,12 @@ def _at_a_kink(here: FlowState, step: Step, scale: arb) -> FlowState:
     return here
 
 
-def _departure(flow: CertifiedFlow, unit: arb, here: FlowState) -> DeparturePiece:
+def _departure(flow: CertifiedFlow, unit: arb, here: FlowState, first: LocalExpansion | None = None) -> DeparturePiece:
     place, force = flow.place(here.u), flow.force
     # For the true start as well: s_0 > 0 is what makes the mass leave, and P_0 = s_0 divides in the expansion.
     if not force.restoring(place + arb(0, upper(here.errors.error / unit))) > 0:
         raise UndecidedError("whether dry friction holds the mass here is undecided")
-    expansion = flow.expansion(place)
+    expansion = flow.expansion(place) if first is None else first
     end, tau = expansion.state(expansion.reach)
     if force.kinked and not end > 0:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")

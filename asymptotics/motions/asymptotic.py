@@ -105,7 +105,7 @@ class AsymptoticMotion:
             # The size decides the precision, so it is found first, in few bits.
             size = (moment.ball() * self.oscillator.omega_0()).mid()
         if size > _LARGEST:
-            raise LimitError("time", f"{self.frame.told_time(moment)} is too many swings", "omega_0 t <= 1e100")
+            raise LimitError("time", f"{self.frame.time_text(moment)} is too many swings", "omega_0 t <= 1e100")
         swings = int(float((size + 1).log()) / log(2))  # bits that the whole turns of the phase take
         with ctx.workprec(bits_for(digits, _GUARD) + 16 * self.order + swings):
             return self._point((moment.ball() * self.oscillator.omega_0()).mid(), digits)
@@ -142,7 +142,7 @@ class AsymptoticMotion:
         times, missing = _times(t)
         omega, flat = float(self.oscillator.omega_0()), np.where(missing, 0.0, times).ravel()
         if flat.max(initial=0.0) > _NO_PHASE / omega:
-            latest = self.frame.told_time(f"{flat.max():g}")
+            latest = self.frame.time_text(f"{flat.max():g}")
             raise InputError("time", f"{latest}: a double has no phase there", "omega_0 t < 2^53, or at(t)")
         return times, missing, flat * omega
 
@@ -171,13 +171,13 @@ class AsymptoticMotion:
         return last.decided(float(begin), float(place), float(beyond))
 
     def _held_note(self, last: LastSwing) -> str:
-        end = self.frame.told_time(f"{last.end / float(self.oscillator.omega_0()):.6g}")
+        end = self.frame.time_text(f"{last.end / float(self.oscillator.omega_0()):.6g}")
         return f"dry friction holds the mass from {end} on"
 
     def _notes(self, missing: int, extinct: int, end: float) -> tuple[str, ...]:
         notes = [f"NaN times: {missing}; NaN is kept in their places"] if missing else []
         if extinct:
-            moment = self.frame.told_time(f"{end:.6g}")
+            moment = self.frame.time_text(f"{end:.6g}")
             notes.append(
                 f"times beyond the fictitious extinction time {moment} of the averaged law: {extinct}; x = v = 0 there,"
                 " while the true motion sticks or creeps"

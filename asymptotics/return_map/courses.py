@@ -23,10 +23,11 @@ Derivation ``quarter-courses``.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import acos
 
 import numpy as np
 from flint import arb, arb_mat, arb_poly, fmpz_poly
-from numpy.polynomial.chebyshev import chebder, chebval, chebvander
+from numpy.polynomial.chebyshev import chebder, chebval
 
 from asymptotics.errors import UndecidedError
 from asymptotics.flow.balls import upper
@@ -123,7 +124,7 @@ class QuarterCourse:
     def _guesses(self, s: Array) -> tuple[Array, Array]:
         """t and d tau/dt at the times s in doubles: quintics between the places of a table with two derivatives."""
         times, rates, bends = self.table
-        k = np.clip(np.searchsorted(times, s) - 1, 0, len(times) - 2)
+        k = np.searchsorted(times[1:-1], s)
         width, step = times[k + 1] - times[k], 2 / _PLACES
         x = (s - times[k]) / width
         # Hermite's: by x, dt/dx less that of the chord and d^2 t/dx^2 at both places.
@@ -133,7 +134,7 @@ class QuarterCourse:
         cubic, quintic = a - (a + b) * x, first + (last - first) * x
         t = -1 + step * (k + x) + xy * (cubic + xy * quintic)
         speed = step + (1 - 2 * x) * (cubic + 2 * xy * quintic) + xy * (xy * (last - first) - a - b)
-        return np.clip(t, -1, 1), width / speed
+        return np.minimum(np.maximum(t, -1), 1), width / speed
 
     def _state(self, t: arb, ln_r: arb) -> tuple[arb, arb]:
         e, r = (self.courses.h * (t - 1)).exp(), ln_r.exp()
@@ -147,8 +148,7 @@ def _reached(clock: arb_poly, s: arb, t: arb, slope: arb, fine: arb) -> tuple[ar
     time = clock(t)
     for _ in range(_GIVEN_UP):
         off = (time - s).mid()
-        there = min(max((t - off / slope).mid(), _FIRST), _LAST)
-        if not abs(off) > fine or there == t:
+        if not abs(off) > fine or (there := min(max((t - off / slope).mid(), _FIRST), _LAST)) == t:
             break
         later = clock(there)
         slope, t, time = ((later - time) / (there - t)).mid(), there, later
@@ -211,7 +211,7 @@ class Courses:
         return QuarterCourse(self, self.growth.at(place), self.clock.at(place), self._table(float(place)))
 
     def _table(self, place: float) -> list[Array]:
-        weights = chebvander([place], len(self.in_doubles[0]) - 1)[0]
+        weights = np.cos(acos(max(-1.0, min(place, 1.0))) * np.arange(len(self.in_doubles[0])))
         return [weights @ part for part in self.in_doubles]
 
     @cached_property

@@ -25,11 +25,13 @@ from asymptotics.flow.dense import KnownPiece
 from asymptotics.flow.error_propagation import CarriedErrors, contraction_by_ratio
 from asymptotics.flow.linear_spring.expansion import TurningExpansion
 from asymptotics.flow.linear_spring.linear_spring import LinearSpring
-from asymptotics.flow.trajectory import DeparturePiece, Piece
+from asymptotics.flow.trajectory import Piece
 from asymptotics.flow.turning import TurningState
 from asymptotics.return_map.course import Course
 from asymptotics.return_map.half_swing_map import HalfSwingBalls
 from asymptotics.return_map.panels import Panels
+
+_FASTER = 1 + arb(2) ** -10  # than at the hand-over of a quarter: the speed up to which the expansion before it serves
 
 
 @dataclass(frozen=True)
@@ -58,14 +60,17 @@ class Interpolated(LinearSpring):
         # A turning point after the time asked for is of no use: the state in between has to be followed by pieces.
         return there if before is None or there.time < before else None
 
-    def read_off(self, u: arb, first: DeparturePiece, given: arb) -> Piece | None:
+    def read_off(self, u: arb, given: arb) -> tuple[TurningExpansion, Piece] | None:
         """The half-swing between the hand-overs of its quarters, where states in many half-swings are asked for."""
         course = self.panels.course(u, self.within)
-        # The local expansion must reach the hand-over of the first quarter.
-        if course is None or not course.begin <= first.end:
+        if course is None:
+            return None
+        ((_, w),) = course.states([course.begin])
+        expansion = TurningExpansion.at(self.force, u, upper(w * _FASTER))
+        if not expansion.state(expansion.reach)[1] >= course.begin:
             return None
         flow = replace(self, ahead=-course.q.mid())
-        return OnCourse(flow, arb(1), course.begin, course.end, CarriedErrors(arb(0), given), None, course)
+        return expansion, OnCourse(flow, arb(1), course.begin, course.end, CarriedErrors(arb(0), given), None, course)
 
     def arrive(self, place: arb, w: arb) -> TurningExpansion:
         """The expansion at ``ahead``: any guess will do (``turning_point``); what it misses the state by is added."""

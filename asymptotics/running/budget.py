@@ -22,8 +22,10 @@ from time import monotonic
 from asymptotics.errors import LimitError
 
 
-class Unasked(float):
+class Unasked(int):
     """A limit in seconds that nobody asked for: inside a request it yields to what that was given.
+
+    It is a type, so that the same number is another thing where somebody asked for it.
 
     >>> with budget(600):
     ...     with budget(Unasked(60)):
@@ -31,7 +33,7 @@ class Unasked(float):
     ...     inside, allowed(Unasked(60)), allowed(30.0)
     (600, 600, 30.0)
     >>> allowed(Unasked(60))
-    60.0
+    60
     """
 
 

@@ -26,7 +26,7 @@ from typing import Any, ParamSpec, TypeVar, cast
 from asymptotics.errors import LimitError
 from asymptotics.numbers import context
 from asymptotics.numbers.policy import exact_seconds
-from asymptotics.running.budget import budget, seconds_left, tick
+from asymptotics.running.budget import Unasked, budget, seconds_left, tick
 from asymptotics.running.cut_short import is_lost
 from asymptotics.running.signature import readable
 
@@ -51,10 +51,12 @@ def _timed(function: Any, *, alone: bool) -> Any:
 
     @functools.wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:
-        asked = kwargs.get("max_seconds", default)
-        unasked = asked is default and (default is None or seconds_left() < inf)  # whoever calls has a time already
+        # What nobody asked for goes on as such: a call inside this one is not held to it where more was asked for.
+        asked: Any = kwargs.setdefault("max_seconds", None if default is None else Unasked(default))
+        unasked = isinstance(asked, Unasked)
+        none = (asked is None and default is None) or (unasked and seconds_left() < inf)  # the caller has a time
         with (
-            nullcontext() if unasked else limited(default if asked is default else exact_seconds(asked)),
+            nullcontext() if none else limited(asked if unasked else exact_seconds(asked)),
             context.alone if alone else nullcontext(),
         ):
             return function(*args, **kwargs)

@@ -30,8 +30,6 @@ def picture_maker(
     options: argparse.Namespace, results: Callable[[], Sequence[Drawn]], **style: Any
 ) -> Callable[[str], bytes]:
     """What makes the file of --plot: the ``plot`` of the results, on the same axes."""
-    if options.plot is None and (options.size is not None or options.dpi is not None):
-        raise InputError("--dpi" if options.size is None else "--size", "there is no picture", "--plot FILE with it")
     sides = None if options.size is None else _sides(options.size)
     dots = DPI if options.dpi is None else parse_integer(options.dpi, "--dpi", MIN_DPI, MAX_DPI)
 
@@ -58,9 +56,7 @@ def read_files(options: argparse.Namespace, pictures: tuple[str, ...] = PICTURES
     named = {f"--{name}": getattr(options, name, None) for name in FILES}
     found = {argument: _file(name, argument, pictures) for argument, name in named.items() if name is not None}
     require_different(dict(found))
-    if getattr(options, "points", None) is not None:
-        if "--csv" not in found:
-            raise InputError("--points", "there is no table to give rows to", "--points with --csv")
+    if "--csv" in found and getattr(options, "points", None) is not None:
         read_points(options)
     return found
 

@@ -52,8 +52,9 @@ class Parser(argparse.ArgumentParser):
         known = [
             option for action in self._actions if action.help != argparse.SUPPRESS for option in action.option_strings
         ]
-        near = get_close_matches(unknown[1], known, n=1) if unknown else []
-        return f"; did you mean {near[0]}?" if near else ""
+        # Without the dashes, which all have: --alpha is no --help.
+        near = get_close_matches(unknown[1][2:], [option.lstrip("-") for option in known], n=1) if unknown else []
+        return f"; did you mean --{near[0]}?" if near else ""
 
     def _print_message(self, message: str, file: Any = None) -> None:
         """Help and version are answers too: argparse itself would lose them on a full disk without a word."""
@@ -210,7 +211,10 @@ def _description() -> str:
 
 
 class _Raw(argparse.RawDescriptionHelpFormatter):
-    """Descriptions keep their line breaks."""
+    """Descriptions keep their line breaks; behind the help of an option stands which others it needs, or excludes."""
+
+    def _get_help_string(self, action: argparse.Action) -> str:
+        return (action.help or "") + getattr(action, "beside", "")
 
 
 if __name__ == "__main__":

@@ -36,6 +36,7 @@ from asymptotics.errors import InputError
 from asymptotics.flow.wells.force import WellForce
 from asymptotics.law import Law
 from asymptotics.numbers.context import ctx
+from asymptotics.running.budget import tick
 from asymptotics.terms import Term
 
 
@@ -129,6 +130,7 @@ def swings(well: PrimitiveWell, x: arb, bits: int) -> Iterator[tuple[arb, bool |
     side = 1 if x > 0 else -1
     a = side * x
     while True:
+        tick()
         # At a < 0 the mass has stopped before the centre, on the side it came from; only its distance counts for what
         # holds it.
         pull = abs(well.force.spring_force(a))

@@ -202,10 +202,10 @@ class TurningPoints(Sequenced, Rows, Drawn):
         return any(p.time is not None for p in self.points)
 
     @property
-    def told_end(self) -> str:
+    def end_text(self) -> str:
         """The last turning point and why, in a line; empty where there is none.
 
-        >>> TurningPoints("0", "1/3", 4, (), "by hand", ended={"n": 3, "reason": "sticks"}).told_end
+        >>> TurningPoints("0", "1/3", 4, (), "by hand", ended={"n": 3, "reason": "sticks"}).end_text
         'ended: turning point 3 is the last: the motion sticks there'
         """
         if self.ended is None:
@@ -216,7 +216,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
         return f"ended: {where}: the motion {_ENDS[reason]}"
 
     @property
-    def told_first(self) -> str:
+    def first_text(self) -> str:
         """Amplitude and time of turning point 0 of a start in motion, in a line; empty from rest."""
         line = "turning point 0 has the amplitude {amplitude}, at tau = {tau}"
         return "" if self.first is None else line.format_map(self.first)
@@ -244,15 +244,15 @@ class TurningPoints(Sequenced, Rows, Drawn):
             f"{p.n}  {frame.with_unit('x', p.x)}" + ("" if p.time is None else f"  {frame.with_unit('t', p.time)}")
             for p in self.points
         ]
-        lines += [self.told_end] if self.ended else []
+        lines += [self.end_text] if self.ended else []
         return "\n".join([*lines, f"certified: {str(self.certified).lower()} ({self.method})"])
 
     def _page(self) -> Page:
         head, rows = self.named_columns()
         shown = 3 if self.timed else 2
         worth = f"{'certified' if self.certified else 'not certified'}, {self.digits} digits ({self.method})"
-        end: tuple[str, ...] = (self.told_first,) if self.first is not None else ()
-        end += (self.told_end,) if self.ended is not None else ()
+        end: tuple[str, ...] = (self.first_text,) if self.first is not None else ()
+        end += (self.end_text,) if self.ended is not None else ()
         what = f" of {self.oscillator}" if self.oscillator else f", alpha = {self.alpha}, epsilon = {self.epsilon}"
         title = f"{len(rows)} turning points{what}"
         return Page(title, (worth, *end, *self.notes), tuple(head[:shown]), tuple(row[:shown] for row in rows))

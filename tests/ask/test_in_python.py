@@ -8,10 +8,6 @@ import numpy as np
 import pytest
 
 import asymptotics as asy
-from asymptotics.ask.questions.envelope import envelope_at
-from asymptotics.ask.questions.motion import motion_at
-from asymptotics.ask.questions.multiple_scales import derived
-from asymptotics.ask.questions.solution import solution_at
 from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.errors import InputError
 
@@ -26,14 +22,8 @@ WRONG = {  # each failed before: FILE, NAME, --bound, --columns, --alpha A, --la
     "no law for coefficients": lambda: asy.compare({"k": [1]}, table="half-swing"),
     "one law of two": lambda: asy.table("two-law-times", law={2: 1}),
     "no such table": lambda: asy.table("smith2012.tabel1"),
-    "symbolic and exact": lambda: asy.half_swing("symbolic", exact=True),
     "an order too high": lambda: asy.half_swing("symbolic", order=99),
-    "reference and order": lambda: motion_at(OSC, 7, reference=True, order=3),
-    "reference and bound": lambda: motion_at(OSC, 7, reference=True, bound=True),
-    "a bound without a time": lambda: solution_at(OSC, bound=True),
-    "squaring and order": lambda: envelope_at(OSC, 3, squaring=True, order=3),
     "an option of another command": lambda: asy.sweep_command("moment", {"x": "1"}, "nowhere"),
-    "a phase of a symbol": lambda: derived("symbolic", phase=1),
 }
 
 

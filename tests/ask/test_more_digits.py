@@ -1,6 +1,6 @@
-"""Every number of every answer at 25 digits is the same number at 45, rounded: a digit that is printed is one.
+"""Every number of every answer at 25 digits is the same number at 35, rounded: a digit that is printed is one.
 
-And none is a double written out: such a number has the same wrong digits at 25 and at 45, and shows nothing there.
+And none is a double written out: such a number has the same wrong digits at 25 and at 35, and shows nothing there.
 An expansion has an error of its own, but its numbers are those of its formula to the last digit.
 """
 
@@ -81,7 +81,7 @@ def test_more_digits_are_the_same_number(capsys, tmp_path, name, world, more):
     own = {word.partition("=")[0] for word in more.split()} | {"--digits"}
     words = [w for w, before in zip(words, ["", *words]) if w not in own and (before not in own or w.startswith("--"))]
     found = []
-    for digits in (25, 45):
+    for digits in (25, 35):
         assert main([*words, *more.split(), f"--digits={digits}", "--json"]) == 0
         found.append(json.loads(capsys.readouterr().out, parse_float=no_float))
     assert not [*wrong(*found)] and not [*doubles(found[1])]

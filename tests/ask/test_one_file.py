@@ -13,7 +13,7 @@ import asymptotics as asy
 from asymptotics.ask import questions, registry, typed
 from asymptotics.shell import main as shell
 from tests import every_question, ledger
-from tests.ask import test_hostile, test_hostile_objects, test_questions
+from tests.ask import test_asks_for_time, test_hostile, test_hostile_objects, test_pairs, test_questions
 from tests.every_question import call_of, options_of, usual
 from tests.present import test_parity_page
 from tests.present.every_type import name_of, samples_of
@@ -53,6 +53,8 @@ def test_a_new_command_is_walked_from_its_one_file(monkeypatch, tmp_path, capsys
     test_cli.test_every_command_explains_itself(capsys, "toy")
     test_groups.test_every_option_stands_under_one_heading("toy")
     common_option("toy", capsys)
+    assert test_pairs.walk("toy", tmp_path, capsys)[0] > 2
+    assert test_asks_for_time.outcomes("toy", "", "", tmp_path, monkeypatch, capsys) == ["0", "0"]
     test_parity_page.test_every_option_has_its_call("toy")
     test_parity_page.test_the_example_says_the_same_from_python("toy", capsys, tmp_path)
     assert "toy --count 2 --digits 5" in ledger.groups()["Approximations"]

@@ -18,6 +18,11 @@ from tests.shell.answers import answer
 
 STARTS = [("1", "0"), ("-2", "0"), ("3/5", "4/5"), ("-3/5", "4/5"), ("-1", "-1"), ("0", "1"), ("0", "-1")]
 LAWS = [{"3/2": "1/50"}, {1: "1/40", 2: "1/80"}, {0: "1/30"}]
+EACH = [  # every start with one law in `make test`
+    pytest.param(law, start, marks=() if n % 3 == k else pytest.mark.slow)
+    for k, law in enumerate(LAWS)
+    for n, start in enumerate(STARTS)
+]
 
 
 def started(law, x0, v0, **rest):
@@ -30,8 +35,7 @@ def rows_of(line, tmp_path, capsys):
     return json.loads(capsys.readouterr().out), list(csv.DictReader(io.StringIO(file.read_text())))
 
 
-@pytest.mark.parametrize("start", STARTS)
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize(("law", "start"), EACH)
 def test_the_phase_of_an_envelope_is_that_of_the_motion(law, start):
     """One formula with the motion of order 2, which the same start gives its own A(0) and phi(0): O(epsilon) apart."""
     oscillator = started(law, *start)

@@ -78,7 +78,7 @@ class Stronger:
         return [(d * (1 + self.share), m, a) for d, m, a in self.force.loss_powers(side)]
 
 
-@pytest.mark.parametrize("bits", [200, 600])
+@pytest.mark.parametrize("bits", [300, 600])
 def test_fewer_bits_for_later_coefficients_cost_the_state_none(bits, monkeypatch):
     """What they round off stays below a unit of the last place; of twice as many bits fewer it does not."""
 

@@ -1,6 +1,7 @@
 """One report for all tests of this folder, from recorded outcomes: what the checks find is tested elsewhere.
 
-Its page on the engine has tables and pictures of every kind, with fewer laws than the one that is published.
+Its page on the engine has tables and pictures of every kind, with fewer laws than the one that is published, and
+beside it stand certificates of every kind: all others are made by a slow test (test_report.py).
 """
 
 import fcntl
@@ -16,6 +17,13 @@ from paper_checks.registry import Entry, expected_outcomes, load
 from paper_checks.report import build, certificates, engine, validity_map, write_report
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
+
+
+KINDS = (  # of certificates: of a law, with 30 digits, with a stop, in m and s with a stop, of a table
+    "smith2012-table1", "three-halves", "lancaster2020-fig1", "lelas2024-fig1a", "lelas2024-fig1b",
+    "table-smith2012.table1",
+)  # fmt: skip
+EVERY = certificates.PROVED
 
 
 def recorded_entries() -> list[Entry]:
@@ -34,7 +42,15 @@ def few_laws():
         patch.setattr(validity_map, "ORDERS", (1,))
         patch.setattr(build, "renderings", partial(renderings, dpi=40))
         patch.setattr(certificates, "TABLE_DIGITS", 8)
+        few = tuple(each for each in EVERY if each.file in {f"certificate-{kind}.json" for kind in KINDS})
+        patch.setattr(certificates, "PROVED", few)
         yield
+
+
+@pytest.fixture(scope="session")
+def other_certificates():
+    """Those that the report of the tests leaves out."""
+    return [each for each in EVERY if each not in certificates.PROVED]
 
 
 @pytest.fixture(scope="session")

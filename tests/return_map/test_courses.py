@@ -1,7 +1,6 @@
 """States within half-swings off their quarters: they contain the pieces, and each bound is held to its constant."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import pytest
 from flint import arb, ctx
@@ -17,6 +16,7 @@ from asymptotics.numbers.exact import ExactReal
 from asymptotics.return_map import courses as module
 from asymptotics.return_map import hand_overs
 from asymptotics.return_map import panels as panels_module
+from asymptotics.return_map import sequence as sequence_module
 from asymptotics.return_map.chebyshev import cut, nodes
 from asymptotics.return_map.course import Course
 from asymptotics.return_map.courses import Along, Courses
@@ -204,13 +204,16 @@ def test_the_radii_of_what_is_kept_count():
         assert Along.of([[arb(1, arb(2) ** -20)]], arb(0), arb(2) ** -60).error >= arb(2) ** -20
 
 
-def test_a_course_begins_where_the_local_expansion_still_reaches():
+def test_a_course_begins_where_the_local_expansion_still_reaches(monkeypatch):
     law = Law({"3/2": "1/10"})
     with ctx.workprec(90):
         flow = Interpolated(Damping.of_law(law), panels_of(law, 90), within=100)
-        found = flow.read_off(arb(1), SimpleNamespace(end=arb("0.5")), arb(0))
+        nearest, found = flow.read_off(arb(1), arb(0))
         assert found.begin < arb("0.2") and arb("2.8") < found.end
-        assert flow.read_off(arb(1), SimpleNamespace(end=found.begin / 2), arb(0)) is None
+        assert found.begin < nearest.state(nearest.reach)[1] < found.begin * arb("1.01")
+        assert len(nearest.rows[0][1]) < len(flow.expansion(arb(1)).rows[0][1]) / 2  # no farther than it must
+        monkeypatch.setattr(sequence_module, "_FASTER", arb("0.99"))
+        assert flow.read_off(arb(1), arb(0)) is None
 
 
 def test_states_at_uncertain_times_hold_both_ends():
@@ -228,7 +231,7 @@ def test_what_a_start_is_off_by_is_in_a_course():
     law, e = Law({"3/2": "1/10"}), arb(2) ** -30
     with ctx.workprec(90):
         flow = Interpolated(Damping.of_law(law), panels_of(law, 90), within=100)
-        one, other = (flow.read_off(p, SimpleNamespace(end=arb("0.5")), e) for p in (arb(1), 1 - e))
+        (_, one), (_, other) = (flow.read_off(p, e) for p in (arb(1), 1 - e))
         for t in (arb("0.125"), arb(1)):
             ((u, w),), (place, speed) = one.all_at([t]), other.own(t)
             assert u.contains(place) and w.contains(speed) and u.rad() < e * arb("1.001")

@@ -154,5 +154,12 @@ def test_a_bare_call_helps_and_a_slip_of_the_pen_is_answered_with_the_word_that_
     for line, meant in (("--cuont 5", "--count?"), ("--cuont=5", "--count?"), ("", "--count N is missing")):
         assert main(f"turning-points --alpha 2 --epsilon 1 {line}".split()) == 2  # the slip, not what is missing by it
         assert meant in capsys.readouterr().err
-    assert main(["zzzz"]) == 2
-    assert "did you mean" not in capsys.readouterr().err
+    for line in (["zzzz"], ["derive", "--alpha", "2"], ["papers", "--alpha", "2"]):  # once: did you mean --help?
+        assert main(line) == 2
+        assert "did you mean" not in capsys.readouterr().err
+    for line, meant in (
+        (["moment", "--alpha", "2"], "`--p`"),
+        (["smith", "f", "--alpha", "2"], "`half-swing --alpha`"),
+    ):
+        assert main(line) == 2
+        assert "argument --alpha: not in this command: " in (told := capsys.readouterr().err) and meant in told

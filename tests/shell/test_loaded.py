@@ -37,6 +37,8 @@ def loaded(*words):
         ("expand --law 0:1/10 --law 3/2:1/5 --order 3 --csv {folder}/x.csv", set()),
         ("expand --alpha 1/2 --spring 3 --gauge no-first-harmonic --order 3", set()),
         ("expand --alpha 3/2 --damping 1/10 --mass 2 --stiffness 3", set()),
+        ("half-swing --alpha 3/2 --latex", set()),
+        ("stokes --alpha 2", set()),
         ("half-swing --law 1 --law 3/2 --order 3 --json", set()),
         ("expand --alpha sqrt(2) --order 1", {"sympy", "mpmath"}),
         ("expand --alpha symbolic --order 2", {"sympy", "mpmath"}),

@@ -12,6 +12,7 @@ from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import REAL, SECONDS, Kind
 from asymptotics.ask.laws import law_options
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
 from asymptotics.ask.typed import typed_options
 from asymptotics.decays.comparison.cells import Cells, compared_cells
@@ -27,7 +28,17 @@ from asymptotics.present.inputs import csv_text, option_words, with_words
 from asymptotics.running.cut_short import changed
 from asymptotics.terms_given import PENDULUM
 
-TABLE = Kind("FILE", lambda table, _: table, option="from", group="the data")
+
+def _table_of_options(options: argparse.Namespace) -> str:
+    path = Path(options.table)
+    try:  # first: of a file that is not there no combination matters
+        path.stat()
+    except OSError as error:
+        raise InputError("--from", f"cannot read {path.name[:80]}: {error.strerror}", "a file of data") from None
+    return str(options.table)
+
+
+TABLE = Kind("FILE", lambda table, _: table, option="from", group="the data", assemble=_table_of_options)
 LAWS = Kind("LAW", lambda laws, _: laws, words=True, several=True)
 _SPRING = next(o for o in law_options() if o.name == "spring")
 
@@ -97,32 +108,20 @@ def _numbers(text: str) -> list[float]:
     return list(map(as_double, cells))
 
 
-_NOT_OF_A_TABLE = (  # the law is what is looked for, so that nothing may say it beforehand
-    "alpha", "law", "epsilon", "damping", "x0", "amplitudes", "unit", "order", "digits", "latex", "conversions",
-    "quantity", "size", "dpi",
-)  # fmt: skip
-
-
-def _require_a_table_alone(request: Request) -> None:
-    path = Path(request["table"])
-    try:  # first: of a file that is not there no combination matters
-        path.stat()
-    except OSError as error:
-        raise InputError("--from", f"cannot read {path.name[:80]}: {error.strerror}", "a file of data") from None
-    for name in _NOT_OF_A_TABLE:
-        if request.typed(name):
-            raise InputError(f"--{name}", "cannot be combined with --from", "the table, --laws, --resolution, --spring")
-    if request.typed("plot"):
-        raise InputError("--plot", "cannot be combined with --from", "--csv, or asymptotics damping of the law found")
+# The law is what is looked for, so that nothing may say it beforehand.
+_NOT_OF_A_TABLE = "alpha law epsilon damping x0 amplitudes unit order digits latex conversions quantity size dpi"
 
 
 @question(
     Offers(
         as_csv=_csv,
         formula=lambda _, __: "",
-        typed=_require_a_table_alone,
         again=Again(words=(*_COLUMNS, "laws", "spring", "mass", "stiffness"), compared=_again),
-    )
+    ),
+    pairs=(
+        excludes(_NOT_OF_A_TABLE, "from", accepted="the table, --laws, --resolution, --spring"),
+        excludes("plot", "from", accepted="--csv, or asymptotics damping of the law found"),
+    ),
 )
 def damping_law(
     table: Annotated[Any, TABLE],

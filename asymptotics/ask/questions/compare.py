@@ -4,11 +4,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
-from asymptotics.ask.against import GIVEN_INPUTS, Beside, GivenInputs, beside
+from asymptotics.ask.against import GIVEN_INPUTS, OWN_UNITS, Beside, GivenInputs, beside
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import SECONDS, TEXT, Kind, digits
 from asymptotics.ask.question import question
-from asymptotics.decays.comparison.in_text import told
+from asymptotics.decays.comparison.in_text import comparison_text
 from asymptotics.decays.comparison.run import MAX_DIGITS, Comparison
 from asymptotics.errors import InputError, shown
 from asymptotics.law import LawLike
@@ -54,7 +54,7 @@ def _named(found: Comparison, request: Request) -> dict[str, Any]:
         again=None,
         certificate=lambda found, _: found.certificate(),
         data=_named,
-        text=lambda found, request: told(found, _held_against(request).description),
+        text=lambda found, request: comparison_text(found, _held_against(request).description),
         missing=lambda found, _: (len({row.line for row in found.rows}), found.summary["missing"]),
         lacks={
             "gauge": "what is observed is the same in every gauge",
@@ -62,6 +62,7 @@ def _named(found: Comparison, request: Request) -> dict[str, Any]:
             "points": "the points are those of FILE",
         },
     ),
+    pairs=(OWN_UNITS,),
     example="{data} --alpha 2 --epsilon 1/10",
     rests="the certified side: what the command of the same numbers rests on",
 )

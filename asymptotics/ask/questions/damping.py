@@ -6,9 +6,11 @@ from itertools import islice
 from typing import Annotated, Any, cast
 
 from asymptotics.ask.answers import Again, Offers, Request
+from asymptotics.ask.forces import law_pairs
 from asymptotics.ask.kinds import COMPUTED, FLAG, SECONDS, Kind, Option, digits, whole
 from asymptotics.ask.laws import LAW_FEEDS, SYMBOLIC, law_options, start_options, unit_options
-from asymptotics.ask.moving import read_oscillator
+from asymptotics.ask.moving import read_oscillator, unit_pairs
+from asymptotics.ask.pairs import excludes, needs
 from asymptotics.ask.question import question
 from asymptotics.ask.questions._damping_law import damping_law
 from asymptotics.equivalent.at_amplitudes import damping_at
@@ -30,8 +32,6 @@ MAX_DIGITS, MAX_ORDER, MAX_AMPLITUDES = 100, 12, 1000
 def _losing(value: Any, _name: str, spring: Any = None) -> Given | str:
     """An oscillator in SI, the same of epsilons, or SYMBOLIC."""
     if isinstance(value, str) and value == SYMBOLIC:
-        if spring is not None:
-            raise InputError("law", "a symbolic exponent has formulas only", "no amplitudes, order or spring beside it")
         return SYMBOLIC
     if isinstance(value, Oscillator):
         if spring is not None:
@@ -47,7 +47,8 @@ def _losing_of_options(options: argparse.Namespace) -> Given | str:
 
 
 LOSING = Kind(
-    "LAW", _losing, beside=("spring",), assemble=_losing_of_options, feeds=LAW_FEEDS, group="the law",
+    "LAW", _losing, beside=("spring",), assemble=_losing_of_options, feeds=LAW_FEEDS, group="the law", word="alpha",
+    pairs=(*unit_pairs(), *law_pairs("epsilon", "damping")),
     options=(*law_options("its strength at A = 1, where m = k = 1"), *unit_options(), *start_options("x0")),
 )  # fmt: skip
 
@@ -79,28 +80,14 @@ UNIT = Kind("U", lambda unit, _: unit, words=True, group="the data")
 
 
 def _require_together(request: Request) -> None:
-    """What was typed and would have no effect is refused."""
-    for name in ("resolution", "laws"):
-        if request.typed(name) is not None:
-            raise InputError(f"--{name}", "there is no table", "--from FILE with it")
+    """A word that is no quantity, and a law in SI without an amplitude, are refused."""
     quantity = request.typed("quantity")
-    if quantity is not None and request.typed("plot") is None:
-        raise InputError("--quantity", "there is no picture to draw it in", "--plot FILE with --quantity")
     if quantity is not None and quantity not in DRAWN:
         raise InputError("--quantity", f"{quantity[:40]!r} is unknown", ", ".join(DRAWN))
     if request["law"] == SYMBOLIC:
-        _require_formulas_alone(request)
-    elif request["law"].frame and request["amplitudes"] is None and request.typed("x0") is None:
+        return
+    if request["law"].frame and request["amplitudes"] is None and request.typed("x0") is None:
         raise InputError("--amplitudes", "is missing", "turning amplitudes in m (rad of a pendulum), such as 0.2,0.1")
-
-
-def _require_formulas_alone(request: Request) -> None:
-    names = ("law", "spring", "epsilon", "damping", "mass", "stiffness", "x0", "amplitudes", "order", "digits", "unit")
-    for name in names:
-        if request.typed(name) is not None:
-            raise InputError(f"--{name}", "cannot be combined with --alpha symbolic", "formulas of one law")
-    if request.typed("csv") is not None or request.typed("plot") is not None:
-        raise InputError("--csv", "cannot be combined with --alpha symbolic", "formulas of one law")
 
 
 def _named(found: EquivalentDamping, request: Request) -> tuple[Any, ...]:
@@ -144,7 +131,7 @@ def _missing(found: EquivalentDamping, request: Request) -> tuple[int, str]:
         more=(
             Option(
                 "conversions", "",
-                "b under the names of ITTC, IMO, OpenFAST, OrcaFlex and of dampers; needs SI units", COMPUTED,
+                "b under the names of ITTC, IMO, OpenFAST, OrcaFlex and of dampers", COMPUTED,
             ),
             Option("quantity", "NAME", f"what --plot draws: {', '.join(DRAWN)} (default Q)", COMPUTED, words=DRAWN),
         ),
@@ -156,6 +143,15 @@ def _missing(found: EquivalentDamping, request: Request) -> tuple[int, str]:
         inverse=damping_law.__question__,  # type: ignore[attr-defined]
         again=AGAIN,
         lacks={"gauge": "what is observed is the same in every gauge", "points": "`--amplitudes` says which"},
+    ),
+    pairs=(
+        needs("resolution laws", "from", "there is no table", "--from FILE with it"),
+        needs("quantity", "plot", "there is no picture to draw it in", "--plot FILE with --quantity"),
+        needs("conversions", "damping mass stiffness", "it has no units", "--damping, --mass or --stiffness with it"),
+        excludes(
+            "spring epsilon damping mass stiffness x0 amplitudes order digits unit csv plot", "alpha=symbolic",
+            accepted="formulas of one law",
+        ),
     ),
     example="--alpha 2 --epsilon 1/10 --amplitudes 1 --digits 5",
     rests="the energy of a half-swing, in balls, between certified turning points",
@@ -232,8 +228,6 @@ def damping(
     ([('10', '36.47'), ('40', '20.12')], 'amplitude [deg]')
     """
     if isinstance(law, str):
-        if amplitudes is not None or order is not None or unit:
-            raise InputError("law", "a symbolic exponent has formulas only", "no amplitudes, order or spring beside it")
         return EquivalentDamping(None, BARE, digits, None, symbolic_exponent(BARE), ())
     given = cast("Given", law)
     taken = cast("tuple[ExactReal, ...] | None", amplitudes)

@@ -10,6 +10,7 @@ from asymptotics.ask.answers import Again, Offers, Request, read_points
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, digits, whole
 from asymptotics.ask.laws import MOVES
 from asymptotics.ask.moving import OVERLAY, TIME, overlaid, require_stretch
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
 from asymptotics.ask.registry import loaded
 from asymptotics.ask.typed import typed_options
@@ -137,11 +138,10 @@ def _again(
     if "order" in request:
         raise InputError("FILE", "no route certifies an envelope of higher order: formal series", "the first order")
     options = typed_options("envelope", request)
+    options.csv = "envelope.csv"  # what the header says was asked of a table
     asked = loaded("envelope").of_options(options)
-    time = asked["time"]
-    if time is None or not time > 0:
-        raise InputError("--time", "there is no stretch of time", "a time > 0")
-    times = table_times(time, read_points(options)).tolist()
+    require_stretch(Request(asked, options))
+    times = table_times(asked["time"], read_points(options)).tolist()
     return compared_envelope(curve_of(asked["law"], asked["squaring"]), times, header, rows, digits, doubles)
 
 
@@ -166,6 +166,7 @@ def _again(
         again=Again(compared=_again),
         lacks={"gauge": "the first order is the same in every gauge; `--order` is in the turning-point gauge"},
     ),
+    pairs=(excludes("order", "squaring", "the squaring trick has no higher orders", "--squaring left out"),),
     name="envelope",
     swept=True,
     example="--alpha 2 --epsilon 1/10 --time 2 --digits 5",
@@ -261,8 +262,6 @@ def _series(found: Curve, order: int, digits: int) -> EnvelopeSeries:
     """The series of an order, for the linear spring."""
     if isinstance(found, SpringEnvelope):
         raise InputError("order", "it is not known beside a spring", "one law alone")
-    if found.averaging == SQUARING:
-        raise InputError("order", "the squaring trick has no higher orders", "--squaring left out")
     if not found.oscillator.v0.is_zero:
         raise InputError("order", "it starts at rest", "a start at rest; other starts: the motion of that order")
     return found.series(order, digits=digits)

@@ -8,6 +8,7 @@ from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.forces import GivenTerms
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.laws import SYMBOLIC, TERMS_IN_UNITS, TermsInUnits
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
 from asymptotics.ask.rows import delta_meaning, local_strengths, order_of, row_text, rows_csv
 from asymptotics.errors import InputError
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from asymptotics.expansions.divergence.truncation import BestOrder
 
 _NUMBER = "an exponent instead of --alpha symbolic"
+_OTHER_GAUGES = tuple(gauge for gauge in GAUGES if gauge != TURNING_POINT)
 
 
 @dataclass(frozen=True)
@@ -142,24 +144,6 @@ def _csv(found: Found, _: Request) -> str:
     return rows_csv({"p": found.equations.p.named(), "Omega": found.equations.Omega.named()})
 
 
-def _typed(request: Request) -> None:
-    """Beside a symbolic exponent nothing takes a number: what was typed and would have no effect is refused."""
-    if request["law"].terms != SYMBOLIC:
-        return
-    if request.typed("csv") is not None:
-        raise InputError("--csv", "a symbolic exponent has no numbers", _NUMBER)
-    for name in ("law", "exact"):
-        if request.typed(name) is not None:
-            raise InputError(f"--{name}", "cannot be combined with --alpha symbolic", "one law, in closed form")
-    if request["best_order"] is not None:
-        raise InputError("--best-order", "it needs a number", _NUMBER)
-    if request["bound"]:
-        raise InputError("--bound", "a bound needs a number", _NUMBER)
-    for name in ("epsilon", "damping", "mass", "stiffness"):
-        if request.typed(name) is not None:
-            raise InputError(f"--{name}", "closed forms take no numbers", _NUMBER)
-
-
 @question(
     Offers(
         latex="print the expansion as LaTeX",
@@ -173,8 +157,20 @@ def _typed(request: Request) -> None:
         as_csv=_csv,
         letters=_letters,
         besides=_besides,
-        typed=_typed,
         lacks={"plot": "equations are no curve; `motion` and `envelope` draw", "points": "there is no curve"},
+    ),
+    pairs=(
+        excludes("csv", "alpha=symbolic", "a symbolic exponent has no numbers", _NUMBER),
+        excludes("exact", "alpha=symbolic", accepted="one law, in closed form"),
+        excludes("best-order", "alpha=symbolic", "it needs a number", _NUMBER),
+        excludes("bound", "alpha=symbolic", "a bound needs a number", _NUMBER),
+        excludes("epsilon damping mass stiffness", "alpha=symbolic", "closed forms take no numbers", _NUMBER),
+        excludes(
+            "bound",
+            f"gauge={'|'.join(_OTHER_GAUGES)}",
+            "it is not known in the gauge {value}",
+            f"the gauge {TURNING_POINT}",
+        ),
     ),
     swept=True,
     example="--alpha 2 --order 1 --digits 5",
@@ -246,8 +242,6 @@ def expand(
     assert isinstance(given, TermsInUnits)
     if isinstance(given.terms, str):
         return _symbolic(given, order, gauge, digits)
-    if bound and gauge != TURNING_POINT:
-        raise InputError("bound", f"it is not known in the gauge {gauge}", f"the gauge {TURNING_POINT}")
     # Strengths that were left out are 1: the coefficients do not depend on them, only the line ``delta = `` shows them.
     bare = Law.from_terms(given.terms.terms)
     found = equations_of(

@@ -9,6 +9,7 @@ from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.forces import GivenTerms
 from asymptotics.ask.kinds import FLAG, REALS, SECONDS, digits, whole
 from asymptotics.ask.laws import SYMBOLIC, TERMS
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
 from asymptotics.ask.rows import delta_meaning, deltas_latex, local_strengths, order_of, row_text, rows_csv, rows_latex
 from asymptotics.errors import InputError
@@ -132,18 +133,6 @@ def _csv(found: Found, request: Request) -> str:
     return rows_csv(_named(cast("HalfSwingCoefficients", found), request["law"]))
 
 
-def _typed(request: Request) -> None:
-    """What was typed and would have no effect is refused."""
-    if request["law"] == SYMBOLIC:
-        for name in ("csv", "law", "spring", "epsilon"):
-            if request.typed(name) is not None:
-                raise InputError(f"--{name}", "cannot be combined with a symbolic exponent", "one law, in closed form")
-    if request["delta"] is not None and request.typed("epsilon") is not None:
-        raise InputError("--epsilon", "cannot be combined with --delta", "--delta alone: the local strength")
-    if request["delta"] is not None and request.typed("plot") is not None:
-        raise InputError("--plot", "one half-swing is no curve", "--plot without --delta: A'/A against delta")
-
-
 @question(
     Offers(
         latex="print the series, or the numbers, as LaTeX",
@@ -155,11 +144,21 @@ def _typed(request: Request) -> None:
         as_latex=_latex,
         as_csv=_csv,
         letters=_letters,
-        typed=_typed,
         lacks={
             "gauge": "U, V, W are in the turning-point gauge, L, F, T the same in all; `expand --gauge` has the others",
             "points": "there is no curve",
         },
+    ),
+    pairs=(
+        excludes(
+            "csv epsilon exact delta",
+            "alpha=symbolic",
+            "cannot be combined with a symbolic exponent",
+            "one law, in closed form",
+        ),
+        excludes("epsilon", "delta", accepted="--delta alone: the local strength"),
+        excludes("plot", "delta", "one half-swing is no curve", "--plot without --delta: A'/A against delta"),
+        excludes("exact", "delta", accepted="--delta alone: certified digits"),
     ),
     swept=True,
     example="--alpha 2 --order 1 --digits 5",
@@ -229,12 +228,7 @@ def half_swing(
     """
     given: Any = law
     if given == SYMBOLIC:
-        for name, value in (("exact", exact), ("delta", delta)):
-            if value:
-                raise InputError(name, "cannot be combined with a symbolic exponent", "one law, in closed form")
         return cast("HalfSwingCoefficients", SymbolicHalfSwing.through(order))
-    if delta is not None and exact:
-        raise InputError("exact", "cannot be combined with delta", "delta alone: certified digits")
     if delta is not None:
         found = half_swing_of_terms(given.terms, cast("Sequence[Any]", delta), digits)
         return replace(found, notes=given.notes)

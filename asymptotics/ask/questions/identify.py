@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, POSITIVE, SECONDS, TEXT, Kind, Option, whole
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
 from asymptotics.ask.questions._damping_law import STRENGTHS, rows_of_strengths
 from asymptotics.decays.identification.damping_kind import DAMPING, is_damping, law_of_damping, opened_once
@@ -17,7 +18,7 @@ from asymptotics.decays.identification.forward.work import PATIENCE
 from asymptotics.decays.identification.found_law import DampingLaw
 from asymptotics.decays.identification.identify import identified
 from asymptotics.decays.identification.telling.html_report import html_report
-from asymptotics.decays.identification.telling.in_text import told
+from asymptotics.decays.identification.telling.in_text import identification_text
 from asymptotics.decays.identification.telling.result import Identification
 from asymptotics.decays.records.columns import KINDS
 from asymptotics.decays.records.sources import How
@@ -69,8 +70,6 @@ def _files(options: argparse.Namespace) -> list[str]:
         if not options.data:
             raise InputError("FILE", "is missing", f"a file of data; to try it, --example {', '.join(EXAMPLES)}")
         return list(options.data)
-    if options.data:
-        raise InputError("--example", "cannot be combined with FILE", "either")
     return [str(example(options.example))]
 
 
@@ -81,6 +80,7 @@ RUNS = Kind(
         Option("data", "FILE", _FILES, place=True, several=True),
         Option("example", "NAME", f"a file of this program: {', '.join(EXAMPLES)}", _DATA, words=tuple(EXAMPLES)),
     ),
+    pairs=(excludes("example", "data"),),
 )  # fmt: skip
 BESIDE = Kind("", lambda value, _: value, words=True, in_shell=False)
 KIND = TEXT.called(
@@ -136,7 +136,7 @@ def _page(found: Identification | DampingLaw, request: Request) -> str | None:
         as_csv=_csv,
         formula=lambda _, __: "",
         data=lambda found, _: {**({"kind": DAMPING} if isinstance(found, DampingLaw) else {}), **found.to_dict()},
-        text=lambda found, _: str(found) if isinstance(found, DampingLaw) else told(found),
+        text=lambda found, _: str(found) if isinstance(found, DampingLaw) else identification_text(found),
         always_files=True,
         reads="data",
         again=None,

@@ -29,6 +29,7 @@ def _latex(found: Coefficient, request: Request) -> str:
         text=lambda found, request: f"M_{request['p']} = {found.value} = {found.exact}",
         as_latex=_latex,
         lacks={
+            "alpha": "an average has a power, `--p`: of a loss with the exponent alpha it is alpha + 1",
             "csv": "it is one number; `table moments --csv` has many",
             "gauge": "an average has no gauge",
             "plot": "it is one number",

@@ -8,6 +8,7 @@ from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.laws import MOVES_OR_RESTS
 from asymptotics.ask.moving import OVERLAY, TIME, overlaid
+from asymptotics.ask.pairs import excludes, needs
 from asymptotics.ask.question import question
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.bounds.uniform import UniformBound, uniform_bound
@@ -125,9 +126,6 @@ def _typed(request: Request) -> None:
 
 def _certificate(found: MotionAtTime, request: Request) -> Any:
     """Of x and v at the time, with as many digits as were asked for."""
-    if not request["reference"] or request["static"] is not None:
-        reason = "an expansion has an estimate" if not request["reference"] else "static friction is another equation"
-        raise InputError("--certificate", reason, "--certificate with --reference alone")
     digits = 30 if request["digits"] is None else request["digits"]
     return of_states(_given(request).oscillator, [(request["time"], found.point)], digits)
 
@@ -160,6 +158,18 @@ def _as_reference(point: Mapping[str, str], digits: int) -> dict[str, str]:
             "latex": "the answer is numbers at one time; `expand --latex` has the equations",
             "force": "here the oscillator is left to itself after its start; `asymptotics response` has the driven one",
         },
+    ),
+    pairs=(
+        excludes(
+            "reference", "order gauge", "it has neither order nor gauge", "--reference alone, or --order and --gauge"
+        ),
+        excludes("bound", "reference", "the reference motion is certified by itself", "--bound with --order N"),
+        excludes("best-order", "reference", "the reference motion has no order", "--best-order with --order N"),
+        needs("static", "reference", "the expansion knows no static friction", "--static with --reference"),
+        needs("certificate", "reference", "an expansion has an estimate", "--certificate with --reference alone"),
+        excludes(
+            "certificate", "static", "static friction is another equation", "--certificate with --reference alone"
+        ),
     ),
     name="motion",
     swept=True,
@@ -213,7 +223,7 @@ def motion_at(
     order
         order of the expansion
     bound
-        with an order: a proved bound of the error of x at that time
+        a proved bound of the error of x at that time
     best_order
         for one law at the local strength D: the best order and the smallest error, in half-swings
     reference
@@ -221,7 +231,7 @@ def motion_at(
     gauge
         the gauge of the expansion
     static
-        with --reference, alpha = 0: static friction force in N, >= b
+        beside alpha = 0: static friction force in N, >= b
     digits
         significant digits, correctly rounded
     max_seconds
@@ -245,13 +255,9 @@ def motion_at(
     '0.600474773860'
     """
     given = cast("Given", law)
-    if reference:
-        _require_no_expansion(order, gauge, bound, best_order)
-    elif static is not None:
-        raise InputError("static", "the expansion knows no static friction", "--static with --reference")
-    elif digits is not None and digits > MAX_ASYMPTOTIC_DIGITS:
+    if not reference and digits is not None and digits > MAX_ASYMPTOTIC_DIGITS:
         raise InputError("digits", f"{digits} is too large", f"at most {MAX_ASYMPTOTIC_DIGITS} for an expansion")
-    oscillator, moment, seconds = given.oscillator, cast("ExactReal", time), float(cast("float", max_seconds))
+    oscillator, moment, seconds = given.oscillator, cast("ExactReal", time), cast("float", max_seconds)
     N, G = order or DEFAULT_ORDER, gauge or TURNING_POINT
     if given.rests:
         if static is not None:
@@ -266,16 +272,6 @@ def motion_at(
     always = _uniform(oscillator, point, moment) if bound else None
     always = None if always is None else replace(always, frame=frame)
     return MotionAtTime(point, curve, proved, always, _best_order(oscillator, best_order, seconds))
-
-
-def _require_no_expansion(order: int | None, gauge: str | None, bound: bool, best_order: Number | None) -> None:
-    """What belongs to an expansion has no effect beside a reference motion."""
-    if order is not None or gauge is not None:
-        raise InputError("reference", "it has neither order nor gauge", "--reference alone, or --order and --gauge")
-    if bound:
-        raise InputError("bound", "the reference motion is certified by itself", "--bound with --order N")
-    if best_order is not None:
-        raise InputError("best_order", "the reference motion has no order", "--best-order with --order N")
 
 
 def _best_order(oscillator: Oscillator, delta: Number | None, seconds: float) -> BestOrder | None:

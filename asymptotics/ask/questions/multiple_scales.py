@@ -8,9 +8,10 @@ from typing import Annotated, Any
 import sympy
 
 from asymptotics.ask.answers import Offers, Request
-from asymptotics.ask.forces import GivenTerms
+from asymptotics.ask.forces import GivenTerms, law_pairs
 from asymptotics.ask.kinds import FLAG, REAL, SECONDS, choice, digits, whole
 from asymptotics.ask.laws import TERMS_IN_UNITS, TermsInUnits, law_options
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
 from asymptotics.errors import InputError
 from asymptotics.expansions.multiple_scales.by_sympy import Ansatz, ansatz
@@ -31,7 +32,9 @@ from asymptotics.numbers.policy import Number
 
 MAX_DIGITS = 300
 _LAW = replace(
-    TERMS_IN_UNITS, options=law_options("its strength, told with the result: the derivation holds for every strength")
+    TERMS_IN_UNITS,
+    pairs=law_pairs("epsilon"),
+    options=law_options("its strength, told with the result: the derivation holds for every strength"),
 )
 
 
@@ -124,11 +127,6 @@ def _said(found: Derived) -> str:
     return f"; by SymPy alone: they differ in {differ}" if differ else ", and by SymPy alone: equal term by term"
 
 
-def _typed(request: Request) -> None:
-    if isinstance(request["law"].terms, str) and request.typed("law") is not None:
-        raise InputError("--law", "cannot be combined with --alpha symbolic", "one symbolic exponent, and springs")
-
-
 _ORDER = whole(1, MAX_ORDER).called(suffix=f" (1 to {MAX_ORDER}, to 12 unless exponents are integers")
 _FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to draw"
 
@@ -142,8 +140,13 @@ _FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to 
         as_latex=lambda found, _: found.latex(),
         letters=lambda found, _: found.scales._letters(),
         failed=lambda found, _: bool(found.differences),
-        typed=_typed,
         lacks=dict.fromkeys(("csv", "plot", "points"), _FORMULAS),
+    ),
+    pairs=(
+        excludes(
+            "map", "alpha=symbolic", "no-first-harmonic does not exist for a symbolic exponent", "polynomial forces"
+        ),
+        excludes("phase", "alpha=symbolic", "a symbolic exponent has no numbers", "exponents that are numbers"),
     ),
     name="multiple-scales",
     example="--alpha 3 --order 1",
@@ -218,8 +221,6 @@ def derived(
     given: Any = law
     assert isinstance(given, TermsInUnits)
     scales = _scales(given, order, gauge)
-    if map and isinstance(given.terms, str):
-        raise InputError("map", "no-first-harmonic does not exist for a symbolic exponent", "polynomial forces")
     bare = None if isinstance(given.terms, str) else Law.from_terms(given.terms.terms)
     return Derived(
         scales,
@@ -253,10 +254,9 @@ def _waves(given: TermsInUnits, scales: MultipleScales, order: int, phase: Any, 
     """x_k at a phase; InputError in the other gauge and without numbers."""
     if scales.gauge != TURNING_POINT:
         raise InputError("phase", f"the gauge is {scales.gauge}", f"the gauge {TURNING_POINT}")
-    if isinstance(given.terms, str):
-        raise InputError("phase", "a symbolic exponent has no numbers", "exponents that are numbers")
     if order > MAX_OPEN_ORDER:
         raise InputError("order", f"{order} is out of range", f"an integer from 1 to {MAX_OPEN_ORDER}")
+    assert isinstance(given.terms, GivenTerms)  # a symbolic exponent has no values: refused before
     # NumPy and splines: only values of waveforms need them.
     Waveforms = import_module("asymptotics.curves.waves").Waveforms
     # In the order of the symbols above, so that the indices of x_k are those of the strengths in the text.

@@ -1,6 +1,6 @@
 """Smith's coefficients C_i^n, polynomials f_n and generating functions G_i, exactly."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from importlib import import_module
@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from asymptotics.ask.answers import Again, Offers, Request
 from asymptotics.ask.kinds import REAL, SECONDS, choice, digits, whole
+from asymptotics.ask.pairs import Pair, demands, needs
 from asymptotics.ask.question import question
 from asymptotics.costs import binomial_seconds, require_affordable
 from asymptotics.errors import InputError, LimitError
@@ -33,6 +34,22 @@ _USERS = {
 }
 
 
+_NEEDED = {  # what a word needs, and what that is
+    "n": {"f": f"an integer from 1 to {MAX_ROW}", "c": f"an integer from 1 to {MAX_N}"},
+    "i": {"c": "an integer from 0 to n - 1", "g": f"an integer from 0 to {MAX_G}"},
+    "w": dict.fromkeys("rst", "a real number"),
+    "u": dict.fromkeys("st", "a real number"),
+}
+
+
+def _pairs() -> Iterator[Pair]:
+    """What each word needs, and that it is given nothing else."""
+    for name, users in _USERS.items():
+        yield from (demands(f"what={what}", name, accepted) for what, accepted in _NEEDED.get(name, {}).items())
+        yield needs(name, f"what={'|'.join(users)}", "smith {value} does not use it", f"with {' and '.join(users)}")
+    yield needs("csv", "what=f|c", "smith {value} is not a row of coefficients", "--csv with f or c")
+
+
 @dataclass(frozen=True)
 class SmithAnswer:
     """What was asked of Smith's machinery: JSON, text, LaTeX, and the rows (n, i, C_i^n) of coefficients."""
@@ -47,11 +64,6 @@ def _data(found: SmithAnswer, request: Request) -> dict[str, Any]:
     # The LaTeX of a long row would double the JSON: of coefficients it is there only where it was asked for.
     latex = {} if found.rows and not request.typed("latex") else {"latex": found.latex}
     return {"what": request["what"], **found.data, **latex}
-
-
-def _typed(request: Request) -> None:
-    if request.typed("csv") is not None and request["what"] not in "fc":
-        raise InputError("--csv", f"smith {request['what']} is not a row of coefficients", "--csv with f or c")
 
 
 def _at_more_digits(point: Mapping[str, str], digits: int) -> dict[str, str]:
@@ -69,13 +81,14 @@ def _at_more_digits(point: Mapping[str, str], digits: int) -> dict[str, str]:
         text=lambda found, _: found.text,
         as_latex=lambda found, _: found.latex,
         as_csv=lambda found, _: csv_text(["n", "i", "C"], found.rows),
-        typed=_typed,
         lacks={
+            "alpha": "all of it is of alpha = 2; `half-swing --alpha` has the other exponents",
             "gauge": "constants of the motion have no gauge",
             "plot": "coefficients are no curve",
             "points": "there is no curve",
         },
     ),
+    pairs=tuple(_pairs()),
     swept=True,
     example="f --n 3",
     rests="exact rational arithmetic",
@@ -88,7 +101,7 @@ def smith(
     w: Annotated[Number | None, REAL.called(letter="W")] = None,
     u: Annotated[Number | None, REAL.called(letter="U")] = None,
     tau: Annotated[Number | None, REAL.called(letter="TAU")] = None,
-    digits: Annotated[int | None, digits(MAX_DIGITS, "30 with r, s, t alone")] = None,
+    digits: Annotated[int | None, digits(MAX_DIGITS, "30")] = None,
     max_seconds: Annotated[Number, SECONDS] = 60,
 ) -> SmithAnswer:
     """Smith's coefficients for quadratic damping (alpha = 2), exactly.
@@ -110,15 +123,15 @@ def smith(
     what
         f polynomial, c coefficient, g generating function, r radii, s and t constants of the motion
     n
-        the row, for f (to 5000) and c
+        the row; of f to 5000
     i
-        0 to n-1 for c, 0 to 100 for g
+        0 to n-1 of c, 0 to 100 of g
     w
-        for r, s, t: gamma v/omega (for r other than 0)
+        gamma v/omega (of r other than 0)
     u
-        for s, t: gamma x
+        gamma x
     tau
-        for t: omega t at that point (default 0)
+        omega t at that point (default 0)
     digits
         significant digits, correctly rounded
     max_seconds
@@ -132,24 +145,7 @@ def smith(
         with the estimate, for a coefficient that would take too long
     """
     given = {"n": n, "i": i, "w": w, "u": u, "tau": tau, "digits": digits}
-    for name, users in _USERS.items():
-        if given[name] is None and what in users and name in _NEEDED[what]:
-            raise InputError(name, "is missing", _NEEDED[what][name])
-        if given[name] is not None and what not in users:
-            raise InputError(name, f"smith {what} does not use it", f"with {' and '.join(users)}")
     return _MAKERS[what](given)
-
-
-_INTEGERS = f"an integer from 1 to {MAX_ROW}", f"an integer from 1 to {MAX_N}"
-_POINT = {"w": "a real number", "u": "a real number"}
-_NEEDED: dict[str, dict[str, str]] = {
-    "f": {"n": _INTEGERS[0]},
-    "c": {"n": _INTEGERS[1], "i": "an integer from 0 to n - 1"},
-    "g": {"i": f"an integer from 0 to {MAX_G}"},
-    "r": {"w": "a real number"},
-    "s": _POINT,
-    "t": _POINT,
-}
 
 
 def _polynomial(given: dict[str, Any]) -> SmithAnswer:

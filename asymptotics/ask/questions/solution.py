@@ -9,6 +9,7 @@ from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, SECONDS, Option, choice, digits, whole
 from asymptotics.ask.laws import MOVES_OR_FORMULAS
 from asymptotics.ask.moving import OVERLAY, TIME, overlaid, require_stretch
+from asymptotics.ask.pairs import demands, needs
 from asymptotics.ask.question import question
 from asymptotics.bounds.motion import proved_bound
 from asymptotics.curves.double_errors import of_solution
@@ -100,12 +101,6 @@ def _drawn(found: SolutionAtTime, request: Request) -> list[Any]:
     return overlaid(request.options, found.solution, request["law"], again)
 
 
-def _typed(request: Request) -> None:
-    require_stretch(request)
-    if request["time"] is not None and not isinstance(request["law"], Given):
-        raise InputError("--epsilon", "is missing", "a strength with --time")
-
-
 @question(
     Offers(
         latex="print a LaTeX document instead of text",
@@ -123,8 +118,12 @@ def _typed(request: Request) -> None:
         as_csv=_csv,
         drawn=_drawn,
         style=lambda found, _: {"until": found.time},
-        typed=_typed,
+        typed=require_stretch,
         lacks={"gauge": "the solution is in the turning-point gauge: A is the turning amplitude"},
+    ),
+    pairs=(
+        demands("time", "epsilon law spring damping mass stiffness", "a strength with --time"),
+        needs("bound", "time", "a bound belongs to a time", "--bound with --time T"),
     ),
     name="solution",
     example="--alpha 2 --epsilon 1/10 --order 1 --time 1 --digits 5",
@@ -196,8 +195,6 @@ def solution_at(
     >>> print(solution_at("3/2", order=1, units="kappa").in_units["amplitude_in_units"])
     (kappa*tau/2 + 1)**(-2)
     """
-    if bound and time is None:
-        raise InputError("bound", "a bound belongs to a time", "--bound with --time T")
     given = law if isinstance(law, Given) else None
     found = solution(cast("Any", law) if given is None else given.oscillator, order=order)
     found = found if given is None else replace(found, frame=given.frame)

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.forces import read_law
 from asymptotics.ask.kinds import SECONDS, Kind, Option, choice, digits, whole
+from asymptotics.ask.pairs import excludes, needs
 from asymptotics.ask.question import question
 from asymptotics.errors import InputError
 from asymptotics.law import Law, LawLike
@@ -39,8 +40,6 @@ def _listed(value: Any, name: str) -> tuple[ExactReal, ...]:
 def _sum_of_options(options: argparse.Namespace) -> Law | None:
     if not options.law:
         return None
-    if options.alpha is not None or options.epsilon is not None:
-        raise InputError("--law", "it stands next to --alpha or --epsilon", "one or the other")
     return read_law(argparse.Namespace(alpha=None, epsilon=None, law=options.law), "epsilon")
 
 
@@ -49,6 +48,7 @@ NUMBERS = Kind("LIST", _listed, group="the law")
 SUM = Kind(
     "A:E", lambda value, _: law_of(value), group="the law", assemble=_sum_of_options,
     options=(Option("law", "A:E", "one term of a sum; repeat it", "the law", repeated=True),),
+    pairs=(excludes("law", "alpha epsilon", "it stands next to --alpha or --epsilon", "one or the other"),),
 )  # fmt: skip
 
 
@@ -56,16 +56,9 @@ def _form(request: Request) -> tuple[str, Path | None]:
     """The form of the table and its file: --latex and --csv FILE are names of --format and --output."""
     latex, csv = request.typed("latex"), request.typed("csv")
     form, output = request.typed("format"), request.typed("output")
-    asked = [name for name, value in (("latex", latex), ("csv", csv)) if value is not None]
-    clash = [f"--{n}" for n, v in (("format", form), ("output", output if csv is not None else None)) if v is not None]
-    # Two forms of one table: which of them was meant is not guessed.
-    if len(asked) > 1 or asked and clash:
-        raise InputError(f"--{asked[-1]}", f"it stands next to {(*clash, '--latex')[0]}", "one form of the table")
-    form = asked[0] if asked else form or "text"
+    form = "csv" if csv is not None else "latex" if latex is not None else form or "text"
     if form not in FORMATS:
         raise InputError("--format", f"{form[:40]!r} is no format", ", ".join(FORMATS))
-    if form == "parquet" and output is None:
-        raise InputError("--format", "parquet is not text", "--output FILE with it")
     name = csv or output
     return form, None if name is None else target_file(name, "--csv" if csv else "--output")
 
@@ -141,6 +134,12 @@ def _missing(table: Table, _: Request) -> tuple[int, str]:
         certificate=lambda table, _: table.certificate(),
         missing=_missing,
         lacks={"gauge": "a table says in its title which gauge it is in", "points": "`--rows` says how many"},
+    ),
+    # Two forms of one table: which of them was meant is not guessed.
+    pairs=(
+        excludes("csv", "format output latex", "it stands next to {other}", "one form of the table"),
+        excludes("latex", "format", "it stands next to {other}", "one form of the table"),
+        needs("format=parquet", "output", "parquet is not text", "--output FILE with it"),
     ),
     example="moments --alpha 1 --digits 5",
     rests="what each table says of its route (`asymptotics table --list`)",

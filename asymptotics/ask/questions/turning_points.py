@@ -7,6 +7,7 @@ from typing import Annotated, Any, cast
 from asymptotics.ask.answers import Offers, Request
 from asymptotics.ask.kinds import FLAG, SECONDS, TEXT, digits, whole
 from asymptotics.ask.laws import MOVES
+from asymptotics.ask.pairs import excludes
 from asymptotics.ask.question import question
 from asymptotics.curves.turning_points import (
     MotionTurningPoints,
@@ -17,7 +18,7 @@ from asymptotics.curves.turning_points import (
     with_notes,
     without_units,
 )
-from asymptotics.errors import InputError, LimitError
+from asymptotics.errors import LimitError
 from asymptotics.law import Law, LawLike, Oscillator
 from asymptotics.law_given import Given
 from asymptotics.numbers.policy import Number
@@ -56,7 +57,7 @@ def _text(found: Any, request: Request) -> str:
     if found.unit and rows:
         rows.insert(0, tuple(found.named_columns()[0][: len(rows[0])]))
     lines = [_columns(rows, str.rjust)] if rows else []
-    lines += [line for line in (found.told_first, found.told_end) if line]
+    lines += [line for line in (found.first_text, found.end_text) if line]
     return "\n".join([*lines, f"certified: {str(found.certified).lower()} ({found.method})"])
 
 
@@ -78,8 +79,6 @@ def _missing(found: TurningPoints, request: Request) -> tuple[int, str]:
 
 
 def _certificate(found: Any, request: Request) -> Any:
-    if isinstance(found, Routes):
-        raise InputError("--certificate", "a list of routes has no digits", "a certificate of turning points")
     return found.certificate()
 
 
@@ -100,6 +99,7 @@ def _certificate(found: Any, request: Request) -> Any:
         missing=_missing,
         lacks={"gauge": "what is observed is the same in every gauge", "points": "`--count` says how many"},
     ),
+    pairs=(excludes("certificate", "route=help", "a list of routes has no digits", "a certificate of turning points"),),
     swept=True,
     example="--alpha 2 --epsilon 1/10 --count 2 --digits 5",
     rests="balls: `turning-point-majorant`, `taylor-residual`, `motions-never-part`; springs:"
@@ -186,18 +186,20 @@ def turning_points(
 def _points(moving: Given, count: int, **rest: Any) -> MotionTurningPoints:
     oscillator = moving.oscillator
 
-    told = partial(of_motion, oscillator)
-    with changed(told):
+    as_motion = partial(of_motion, oscillator)
+    with changed(as_motion):
         if moving.frame:
-            return told(turning_points_in_units(oscillator, count, **rest))
+            return as_motion(turning_points_in_units(oscillator, count, **rest))
         if not oscillator.v0.is_zero:
-            return told(started_in_motion(oscillator, count, **rest))
+            return as_motion(started_in_motion(oscillator, count, **rest))
         # Powers of the velocity scale with the amplitude: the engine starts at 1, with strengths
         # epsilon_i x0^(alpha_i-1), and the places are multiplied by x0.  Beside springs and |x|^m it takes x0 itself.
         if oscillator.law.is_pure and oscillator.x0 != 1:
-            return told(without_units(oscillator, count, **rest))
+            return as_motion(without_units(oscillator, count, **rest))
         law, kick = _bare(oscillator)
-        return told(with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick))
+        return as_motion(
+            with_notes(law, count, rest.pop("digits"), rest.pop("start"), rest.pop("times"), **rest, **kick)
+        )
 
 
 def _bare(oscillator: Oscillator) -> tuple[Law, dict[str, Any]]:

@@ -7,7 +7,7 @@ from asymptotics.decays.comparison.run import ComparedValue, Comparison
 _SHOWN = 40
 
 
-def told(found: Comparison, equation: str) -> str:
+def comparison_text(found: Comparison, equation: str) -> str:
     """What the command prints; ``equation``: what the values are held against."""
     summary, look = found.summary, found.summary["look"]
     rows = found.rows

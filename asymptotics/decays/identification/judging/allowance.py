@@ -42,7 +42,7 @@ class Allowance(Shown):
         return {"term": self.term, **{k: None if v is None else f"{v:.4g}" for k, v in numbers.items()}}
 
 
-def told(allowed: Sequence[Allowance], how: str = "95 %") -> str:
+def allowance_text(allowed: Sequence[Allowance], how: str = "95 %") -> str:
     """The end of a verdict in words; ``how``: what the ends of the intervals are."""
     if not allowed:
         return ""

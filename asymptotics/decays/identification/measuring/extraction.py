@@ -101,16 +101,7 @@ def observations_of_record(
     uneven = float(np.quantile(steps, 0.9)) > _UNEVEN * float(np.median(steps))
     if per_period < (_SPARSE if uneven else _LEAST_SAMPLES):
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
-    base = np.array([float(np.median(x)), 0.0])
-    found = _points(t, x - base[0], period)
-    if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
-        slope, level = np.polyfit(t - t[0], x, 1)
-        base = np.array([level, slope])
-        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
-    # Each pass leaves a fraction of the offset: extremes about a wrong base line are moved by it.
-    for _ in range(2):
-        base = base + _base_line(found, t[0])
-        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    found, base = _about_base_line(t, x, period)
     if len(found.x) < 4:
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     # A drift below three errors is removed all the same, but not worth telling.
@@ -131,7 +122,8 @@ def observations_of_record(
     # Of a few periods the smooth line has too little to begin with.
     few = len(chosen) < _FEW_EXTREMES and found.noise > _COARSE * abs(found.x[chosen[0]])
     if (whole_motion or few or noisy and hard) and (t[-1] - t[0]) / period > 4:
-        free = (t >= found.t[chosen[0]]) & (t <= found.t[chosen[-1]])
+        first, last = _to_passages(found, chosen)
+        free = (t >= first) & (t <= last)
         kept = (*table.notes, *discarded)
         return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=kept, period=period)
     found = _at_quiet_times(t, x - base[0] - base[1] * (t - t[0]), found, chosen, _half_width(t, period))
@@ -148,6 +140,36 @@ def observations_of_record(
     free = (t >= seen.t[0]) & (t <= seen.t[-1])
     record = t[free], (x - base[0] - base[1] * (t - t[0]))[free]
     return replace(seen, window=Window.of(t, seen.t, half, 2 * np.pi / period), floor=floor, record=record)
+
+
+def _to_passages(found: _Points, chosen: Indices) -> tuple[float, float]:
+    """From the first chosen extreme to the last, and on to the passage beside it where nothing was left out there.
+
+    At its very ends a smooth line is known badly; who passes the base line is free.
+    """
+    first, last = float(found.t[chosen[0]]), float(found.t[chosen[-1]])
+    before, after = found.passage_t[found.passage_t < first], found.passage_t[found.passage_t > last]
+    half = float(np.median(np.diff(found.t)))
+    if chosen[0] == 0 and len(before) and first - before[-1] < half:
+        first = float(before[-1])
+    if chosen[-1] == len(found.t) - 1 and len(after) and after[0] - last < half:
+        last = float(after[0])
+    return first, last
+
+
+def _about_base_line(t: Array, x: Array, period: float) -> tuple[_Points, Array]:
+    """The extremes and passages about the base line, and its level and slope."""
+    base = np.array([float(np.median(x)), 0.0])
+    found = _points(t, x - base[0], period)
+    if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
+        slope, level = np.polyfit(t - t[0], x, 1)
+        base = np.array([level, slope])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    # Each pass leaves a fraction of the offset: extremes about a wrong base line are moved by it.
+    for _ in range(2):
+        base = base + _base_line(found, t[0])
+        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+    return found, base
 
 
 def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: float) -> _Points:

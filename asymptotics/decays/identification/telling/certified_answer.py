@@ -9,7 +9,7 @@ from asymptotics.decays.identification.certified_sets.set_valued import MAX_LAWS
 from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.forward.candidates import Candidate
 from asymptotics.decays.identification.forward.coefficients import Array
-from asymptotics.decays.identification.judging.allowance import allowances, told
+from asymptotics.decays.identification.judging.allowance import allowance_text, allowances
 from asymptotics.decays.identification.judging.contradiction import further_parameters
 from asymptotics.decays.identification.judging.judgement import commented, contains, minimal
 from asymptotics.decays.identification.judging.laws import Fitted, Intervals, Judged
@@ -38,7 +38,7 @@ def certified(table: Decrements, candidates: Sequence[Candidate], units: RecordU
         verdict = Verdict(SEVERAL, text, "fewer candidates, smaller amplitudes, or one more printed digit")
     elif len(chosen) == 1:
         allowed = allowances(chosen[0], laws, table.reference)
-        text = f"{IDENTIFIED}: {names} meets every printed value (proved){told(allowed, 'proved')}"
+        text = f"{IDENTIFIED}: {names} meets every printed value (proved){allowance_text(allowed, 'proved')}"
         verdict = Verdict(IDENTIFIED, text, "", allowed)
     elif chosen:
         kind = SEVERAL if len(chosen) <= MANY else UNTOLD

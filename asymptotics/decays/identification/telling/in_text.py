@@ -3,7 +3,7 @@
 from asymptotics.decays.identification.telling.result import Identification
 
 
-def told(answer: Identification) -> str:
+def identification_text(answer: Identification) -> str:
     """What the command prints."""
     said = [line for line in (*answer.lines, answer.verdict.telling) if line]
     lines = [answer.verdict.text, *said, "", answer.table(), ""]

@@ -20,7 +20,7 @@ import numpy as np
 from scipy.special import chdtrc, ndtri, stdtrit
 
 from asymptotics.decays.identification.fitting.profile import Interval
-from asymptotics.decays.identification.judging.allowance import WEAK, allowances, told
+from asymptotics.decays.identification.judging.allowance import WEAK, allowance_text, allowances
 from asymptotics.decays.identification.judging.contradiction import REFUTED, Contradiction
 from asymptotics.decays.identification.judging.judgement import against, commented, is_negative, minimal
 from asymptotics.decays.identification.judging.laws import LIMIT, Fitted, Intervals, Judged
@@ -159,7 +159,7 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[Judged], first: floa
 def _one_law(law: Judged, laws: Sequence[Judged], runs: int, first: float | None) -> Verdict:
     """Identified, unless a further term may carry a large part of the loss; strengths that differ are told."""
     allowed = allowances(law, laws, first)
-    said, apart = told(allowed), _apart(law)
+    said, apart = allowance_text(allowed), _apart(law)
     if any(a.share is not None and a.share > WEAK for a in allowed):
         text = f"{SEVERAL} with {runs} runs: {law.candidate} is the smallest, but a further term may carry"
         return Verdict(SEVERAL, f"{text} over a fifth of the loss{apart}{said}", "", allowed)

@@ -7,7 +7,7 @@ import numpy as np
 
 from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
-from asymptotics.decays.identification.judging.allowance import WEAK, Allowance, allowances, told
+from asymptotics.decays.identification.judging.allowance import WEAK, Allowance, allowance_text, allowances
 from asymptotics.decays.identification.judging.contradiction import REFUTED
 from asymptotics.decays.identification.judging.grades import in_words, off
 from asymptotics.decays.identification.judging.judgement import minimal, rivals
@@ -104,7 +104,7 @@ def _one_law(
         text = f"{UNTOLD} to tell {named(law)} from {names}: {few[0].reason or 'too few data for a term more'}"
         return Verdict(UNTOLD, text, "more swings")
     allowed = allowances(law, laws, None if seen is None else seen.reference)
-    said = told(allowed)
+    said = allowance_text(allowed)
     large = [a for a in allowed if a.share is not None and a.share > WEAK]
     if large and seen is not None:
         most = max(large, key=lambda a: a.share or 0.0)

@@ -6,7 +6,7 @@ import pytest
 
 from asymptotics.decays.identification.fitting.profile import Interval
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
-from asymptotics.decays.identification.judging.allowance import Allowance, allowances, told
+from asymptotics.decays.identification.judging.allowance import Allowance, allowance_text, allowances
 
 SURE = Interval(0.04, 0.05, 0.06)
 
@@ -62,10 +62,11 @@ def test_in_place_of_a_sine_the_smallest_spring_is_told():
 
 def test_what_is_allowed_is_told_in_words_and_in_json():
     terms = (Allowance("2", 0.0123, 0.034), Allowance("3", 0.5, 1.234), Allowance("s3", None))
-    assert told(terms) == (
+    assert allowance_text(terms) == (
         "; not excluded beside it (95 %; in brackets the share of the loss at the first amplitude): "
         "2 up to 0.012 (3.4 %), 3 up to 0.5 (123 %), s3 without limit"
     )
-    assert told(terms[2:], "proved") == "; not excluded beside it (proved): s3 without limit" and told(()) == ""
+    assert allowance_text(terms[2:], "proved") == "; not excluded beside it (proved): s3 without limit"
+    assert allowance_text(()) == ""
     assert terms[0].to_dict() == {"term": "2", "largest": "0.0123", "share": "0.034"}
     assert terms[2].to_dict() == {"term": "s3", "largest": None, "share": None}
