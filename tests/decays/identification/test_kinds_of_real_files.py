@@ -57,3 +57,19 @@ def test_amplitudes_without_a_name_are_asked_for():
     assert answer.law("1").law.epsilon[0].estimate == pytest.approx(2 * 1.4167 / 75 / (2 * np.pi), rel=0.03)
     # Near miss: a swing on a drift is a record.
     assert read_table({"t": t, "y": size + 0.03 * np.cos(t)}).kind == "record"
+
+
+def test_two_periods_and_rest_have_their_envelope_before_any_law():
+    """Failed before: three turning points between release and rest had no period, no Q and no half-life."""
+    t = np.arange(0, 2.02, 0.01)
+    swing = 50 * np.exp(-2.9 * (t + 0.06)) * np.cos(18.4 * (t - 0.13))
+    x = 4 * np.round(swing / 4)  # steps of a sensor, in which the motion ends after one and a half periods
+    answer = asy.identify({"t": t, "x": x}, laws=["1"], bootstrap=False)
+    assert answer.runs[0].inside.sum() < 5
+    told = answer.to_dict()["envelope"]
+    low, high = (float(told["period"][k]) for k in ("low", "high"))
+    assert low <= 2 * np.pi / 18.4 <= high < 1.15 * low
+    for row in told["quality"]:
+        assert float(row["low"]) <= 18.4 / 2 / 2.9 <= float(row["high"] or np.inf)
+    assert float(told["half_life"]["low"]) <= np.log(2) / 2.9 <= float(told["half_life"]["high"] or np.inf)
+    assert any("envelope, before any law: period 0.3" in line for line in answer.lines)

@@ -10,7 +10,7 @@ from asymptotics.decays.identification.judging.judgement import rivals
 from asymptotics.decays.identification.judging.laws import Judged
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.telling.agreement import agreed
-from asymptotics.decays.identification.telling.envelope import MeasuredEnvelope, envelope
+from asymptotics.decays.identification.telling.envelope import MeasuredEnvelope, envelope, why_none
 from asymptotics.decays.identification.telling.equivalents import equivalent
 from asymptotics.decays.identification.telling.in_words import in_words
 from asymptotics.decays.identification.telling.law_answer import LETTERS, LawAnswer, number_text
@@ -77,8 +77,9 @@ class Identification(Alike, Rows, Drawn):
         """What the envelope says, of each of the first runs."""
         if len(self.per_run) > 1:
             return [f"{one.runs[0].name}: {line}" for one in self.per_run[:MANY] for line in one._bare_lines()]
-        bare = self._bare()
-        return [] if bare is None else [bare.told()]
+        bare, run = self._bare(), self.runs[0]
+        untold = [why_none(run)] if isinstance(run, Observations) else []
+        return untold if bare is None else [bare.told()]
 
     def _equivalent(self) -> dict[str, Any] | None:
         return None if self.per_run or not self.laws else equivalent(self.best.law, self.units.omega_0)
