@@ -84,7 +84,9 @@ def damped_cosine(t: Array, x: Array, omega: float, rate: float, derivative: int
 
     def error(fit: _Fit, slope: Array) -> float:
         freedom = max(data - len(fit.c), 1.0)
-        return float(stdtrit(freedom, 0.975) * np.sqrt(max(slope @ fit.inverse @ slope, 0.0) * fit.left / freedom))
+        return float(
+            stdtrit(freedom, 0.975) * np.sqrt(max(float(slope @ fit.inverse @ slope), 0.0) * fit.left / freedom)
+        )
 
     def united(values: list[tuple[float, Array]]) -> Ends:
         each = [(value, error(fit, slope)) for fit, (value, slope) in zip(near, values, strict=True)]
