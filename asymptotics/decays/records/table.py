@@ -36,7 +36,17 @@ from asymptotics.decays.records.peaks import (
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.decays.records.uncertainties import errors_of
-from asymptotics.decays.records.units import GRAVITY, SECONDS, UNITS, seconds, since, standard, suffix, unit_of
+from asymptotics.decays.records.units import (
+    GRAVITY,
+    SECONDS,
+    UNITS,
+    is_unsaid,
+    seconds,
+    since,
+    standard,
+    suffix,
+    unit_of,
+)
 from asymptotics.errors import InputError, require_choice
 
 Array = NDArray[np.float64]
@@ -277,6 +287,8 @@ def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time
             name = given.names[choice.places[column]]
             since_1970 = "" if time or suffix(name) else since(columns[column])
             notes += [f"{name!r}: {since_1970} since 1970"] if since_1970 else []
+            if not (time or since_1970 or choice.places[column] in given.stamped) and is_unsaid(name, columns[column]):
+                notes.append("times without a unit: read as s")
             size = seconds(name, given.name, time or since_1970)
             columns[column] = columns[column] * size
             clock = next(name for name, known in SECONDS.items() if known == size)

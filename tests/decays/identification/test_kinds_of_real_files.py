@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import asymptotics as asy
+from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.table import read_table
 from asymptotics.errors import InputError
 
@@ -73,3 +74,18 @@ def test_two_periods_and_rest_have_their_envelope_before_any_law():
         assert float(row["low"]) <= 18.4 / 2 / 2.9 <= float(row["high"] or np.inf)
     assert float(told["half_life"]["low"]) <= np.log(2) / 2.9 <= float(told["half_life"]["high"] or np.inf)
     assert any("envelope, before any law: period 0.3" in line for line in answer.lines)
+
+
+def test_times_without_a_unit_are_said_to_be_read_as_seconds():
+    """Failed before: frames of a video were told as seconds in silence."""
+    said = "times without a unit: read as s"
+    frames, swing = np.arange(0, 600, 10.0), 89 * np.exp(-np.arange(60) / 30) * np.cos(np.arange(60))
+    for name, unit in (("t", ""), ("time", ""), ("x_value", "deg")):
+        assert read_table({name: frames, "x": swing}, unit=unit).notes.count(said) == 1
+    for name, unit in (("t (s)", ""), ("t_ms", ""), ("seconds_elapsed", ""), ("t", "ms")):
+        assert said not in read_table({name: frames, "x": swing}, unit=unit).notes
+    stamps = [f"12:{i // 60:02d}:{i % 60:02d}" for i in range(60)]
+    assert said not in read_table({"time": stamps, "x": swing}).notes
+    assert said not in read_table({"x (deg)": swing}, how=How(rate=5.0)).notes
+    size = 89 * 0.9 ** np.arange(20)
+    assert said not in read_table({"n": np.arange(20), "x": size}).notes
