@@ -14,12 +14,11 @@ legend stands between the heading and the axes, never over the data; a second re
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from textwrap import wrap
 from typing import Any
 
 from asymptotics.errors import InputError, shown
-from asymptotics.present.figures import DPI, SIZE, new_axes, render, styled
+from asymptotics.present.figures import DPI, SIZE, new_axes, render, scratch_axes, styled
 from asymptotics.present.html import image
 from asymptotics.present.shown import Shown
 from asymptotics.running.budget import budget
@@ -29,6 +28,8 @@ _WIDTH, _COLUMNS, _ROW = 78, 3, 15.0  # characters in a line of the heading; ent
 # Inches of a picture in a notebook and of one with axes below; seconds that a cell may wait for one: longer work is
 # shown without it, and drawn by plot().
 _IN_PAGE, _TWO, _SECONDS = (6.4, 3.6), (6.4, 5.2), 5
+_OURS = ("label", "panels")
+"""What is added to a style here, and not by who asks for a picture."""
 
 
 class Drawn(Shown):
@@ -113,8 +114,7 @@ def draw_on(axes: Any, results: Sequence[Any], style: dict[str, Any]) -> None:
         own = dict(style)
         if len(results) > 1:
             own.setdefault("label", result._headed(style))
-        # A copy of the style for each, since a curve takes its own options out of it.
-        if _drawn(partial(result._curve, axes, **own)):
+        if _drawn(result._curve, axes, own):
             return  # panels, which have headings of their own
     told = axes.get_title().split("\n") if axes.get_title() else []
     new = [] if len(results) > 1 else _lines(results[0]._headed(style))
@@ -131,16 +131,31 @@ def _lines(heading: str) -> list[str]:
     return [line.replace("\N{NO-BREAK SPACE}", " ") for line in wrap(whole, _WIDTH, break_on_hyphens=False)]
 
 
-def _drawn(draw: Callable[[], Any]) -> Any:
+def _drawn(curve: Callable[..., Any], axes: Any, own: dict[str, Any]) -> Any:
+    """What ``curve`` returns; InputError for a style that it or Matplotlib does not have."""
     try:
-        return draw()
+        # A copy of the style, since a curve takes its own options out of it.
+        return curve(axes, **own)
     # What Matplotlib raises for a keyword or a value that its lines do not have; an InputError is ours and says more.
-    # A fault of our own of these kinds is told as one of the style: its words are in the reason.
     except (AttributeError, TypeError, ValueError) as error:
-        if isinstance(error, InputError):
+        if isinstance(error, InputError) or not _is_of_style(curve, own):
             raise
         reason = " ".join(str(error).split())[:120] or type(error).__name__
         raise InputError("style", reason, "options of this plot, and of a line of Matplotlib") from error
+
+
+def _is_of_style(curve: Callable[..., Any], own: Mapping[str, Any]) -> bool:
+    """Whether the curve can be drawn without the style that was asked for: else the fault is our own."""
+    plain_style = {name: value for name, value in own.items() if name in _OURS}
+    if len(plain_style) == len(own):
+        return False
+    try:
+        curve(scratch_axes(), **plain_style)
+    except InputError:
+        return True  # an option of its own is needed, and the fault lies in one of those that are missing now
+    except (AttributeError, TypeError, ValueError):
+        return False
+    return True
 
 
 def head(axes: Any, lines: list[str]) -> None:

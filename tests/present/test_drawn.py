@@ -165,6 +165,29 @@ def test_bad_requests_are_refused_by_name(call):
         call(asy.motion(LAW, order=1))
 
 
+class Faulty(Drawn):
+    """Its own fault, whatever the style is."""
+
+    def _heading(self):
+        return "a fault"
+
+    def _curve(self, axes, **style):
+        axes.plot([0, 1], [0, 1], **style)
+        axes.plot([0, 1, 2], [0, 1])  # Matplotlib raises ValueError for what we have done
+
+
+@pytest.mark.parametrize("style", [{}, {"color": "red"}, {"label": "ours"}])
+def test_a_fault_of_our_own_is_not_told_as_one_of_the_style(style):
+    """Failed before: any fault while drawing was told as argument style."""
+    with pytest.raises(ValueError, match="same first dimension") as caught:
+        Faulty().picture("svg", **style)
+    assert not isinstance(caught.value, InputError)
+    with pytest.raises(InputError, match="argument style"):  # near miss: what the style has caused
+        asy.motion(LAW, order=1).picture("svg", until=9, no_such_style=1)
+    with pytest.raises(InputError, match="argument style"):  # and of a curve that cannot be drawn without an option
+        asy.solution(2, order=2).picture("svg", until=9, no_such_style=1)
+
+
 def test_files_say_what_they_show_and_are_the_same_each_time():
     motion = asy.motion(LAW, order=1)
     svg = motion.picture("svg", until=10)

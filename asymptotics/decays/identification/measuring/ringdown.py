@@ -80,7 +80,7 @@ def _falls_already(level: Array, first: int, last: int) -> bool:
     before = np.arange(first, last + 1)
     lacking = float((start + slope * before - level[before]).mean())
     # Held rows lack half of what the line falls by on them, on average; falling ones nothing: half of that divides.
-    return slope < 0 and lacking < -slope * (last - first) / 4
+    return bool(slope < 0 and lacking < -slope * (last - first) / 4)
 
 
 def _counted(t: Array) -> tuple[Indices, float]:
