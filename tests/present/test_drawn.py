@@ -176,6 +176,15 @@ class Faulty(Drawn):
         axes.plot([0, 1, 2], [0, 1])  # Matplotlib raises ValueError for what we have done
 
 
+class Needing(Faulty):
+    """It is drawn up to a time that must be said."""
+
+    def _curve(self, axes, **style):
+        if "until" not in style:
+            raise InputError("until", "missing", "a time")
+        axes.plot([0, style.pop("until")], [0, 1], **style)
+
+
 @pytest.mark.parametrize("style", [{}, {"color": "red"}, {"label": "ours"}])
 def test_a_fault_of_our_own_is_not_told_as_one_of_the_style(style):
     """Failed before: any fault while drawing was told as argument style."""
@@ -185,7 +194,7 @@ def test_a_fault_of_our_own_is_not_told_as_one_of_the_style(style):
     with pytest.raises(InputError, match="argument style"):  # near miss: what the style has caused
         asy.motion(LAW, order=1).picture("svg", until=9, no_such_style=1)
     with pytest.raises(InputError, match="argument style"):  # and of a curve that cannot be drawn without an option
-        asy.solution(2, order=2).picture("svg", until=9, no_such_style=1)
+        Needing().picture("svg", until=9, no_such_style=1)
 
 
 def test_files_say_what_they_show_and_are_the_same_each_time():

@@ -1,5 +1,6 @@
 """Records of the kinds that public repositories hold, made here: what a careful experimenter reads off is answered."""
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
@@ -89,3 +90,21 @@ def test_times_without_a_unit_are_said_to_be_read_as_seconds():
     assert said not in read_table({"x (deg)": swing}, how=How(rate=5.0)).notes
     size = 89 * 0.9 ** np.arange(20)
     assert said not in read_table({"n": np.arange(20), "x": size}).notes
+
+
+def test_the_unit_that_a_file_writes_stays_on_numbers_and_axes():
+    """Failed before: volts of a sensor stood as "unit of x" in b/m, and as nothing on the axes."""
+    t = np.arange(0, 40, 0.05)
+    x = 0.075 * np.exp(-0.03 * t) * np.cos(2 * t) + 1e-4 * np.random.default_rng(2).standard_normal(len(t))
+    answer = asy.identify({"t (s)": t, "x (V)": x}, laws=["2", "1"], bootstrap=False)
+    assert answer.law("2").beside(0)[2] == "1/V" and answer.to_dict()["unit"] == "V"
+    assert all(word in "\n".join(answer.lines) for word in ("at 0.07", " V,"))
+    figure = answer.plot().figure
+    named = [axes.get_xlabel() + axes.get_ylabel() for axes in figure.axes]
+    assert named[0] == "t (s)x (V)" and sum("(V)" in name for name in named) == 3
+    plt.close(figure)
+    # Near misses: an unknown unit of a velocity is not that of x, and a level is a logarithm.
+    assert read_table({"t (s)": t, "v (V)": x}, kind="velocity").written == ""
+    assert read_table({"t (s)": t, "p (dBm)": -30 - 0.4 * t}).written == ""
+    with pytest.raises(InputError, match="different units: V, mV"):
+        asy.identify([{"t (s)": t, f"x ({unit})": x} for unit in ("V", "mV")], laws=["1"], bootstrap=False)

@@ -39,9 +39,10 @@ _POWERS, _LEAST, _GRID, _NEAR = (-1, 0, 1, 2), 5, 101, 4.0
 """Of A, in the fall of ln A by the losses of exponents 0 to 3; turning points below which there is no choice of several
 powers; places between an amplitude and half of it; and the AICc above the best up to which a choice of powers is
 believed too."""
-_FEWEST, _ENDED, _REST = 3, 1e-3, 1.5
-"""Turning points that leave one more than a loss has numbers; the share of the first amplitude at which a decay of few
-swings ends; and how many times longer than the others the half-swing is in which it comes to rest."""
+_FEWEST, _ENDED, _REST = 4, 1e-3, 1.5
+"""Turning points that leave one more than a loss and the rest position have numbers; the share of the first amplitude
+at which a decay of few swings ends; and how many times longer than the others the half-swing is in which it comes to
+rest."""
 
 
 @dataclass(frozen=True)
@@ -141,7 +142,9 @@ def envelope(seen: Observations) -> MeasuredEnvelope | None:
     by = None if step is None else step / 2 / SECONDS[time]
     rates = () if by is None else tuple(_rate(float(a), decline(float(a)), by) for a in ends)
     untold = "nobody says how fast it swings (--omega0)" if unknown else ""
-    return MeasuredEnvelope(period, quality, life, seen.unit, time, _backbone(seen, inside, size, time), rates, untold)
+    return MeasuredEnvelope(
+        period, quality, life, seen.shown_unit, time, _backbone(seen, inside, size, time), rates, untold
+    )
 
 
 def why_none(seen: Observations) -> str:
@@ -178,7 +181,7 @@ def _by_samples(seen: Observations) -> MeasuredEnvelope | None:
     quality = tuple(_quality(a, line.fall(a), 1.0) for a in ends)
     rates = tuple(_rate(a, line.fall(a), period["estimate"] / 2) for a in ends)
     life = _half_life(line.fall, size, period["estimate"])
-    return MeasuredEnvelope(period, quality, life, seen.unit, time, (), rates)
+    return MeasuredEnvelope(period, quality, life, seen.shown_unit, time, (), rates)
 
 
 def _last_swing(n: Indices, t: Array) -> int:

@@ -55,7 +55,7 @@ class Identification(Alike, Rows, Drawn):
     @property
     def in_words(self) -> str:
         """Q at both ends of the record and the half-life, of the first law; empty for tables and several runs."""
-        return in_words(self._equivalent(), self.units.unit)
+        return in_words(self._equivalent(), self.units.shown)
 
     @property
     def lines(self) -> tuple[str, ...]:
@@ -125,7 +125,7 @@ class Identification(Alike, Rows, Drawn):
             "untried": [str(law.law.candidate) for law in self.laws if law.law.untried],
             "data": [_data(run) for run in self.runs],
             "textbook": self.textbook,
-            "unit": self.units.unit or None,
+            "unit": self.units.shown or None,
             "omega_0": None if self.units.omega_0 is None else number_text(self.units.omega_0),
             "notes": list(self.notes),
         }
@@ -162,7 +162,7 @@ class Identification(Alike, Rows, Drawn):
         if panels:
             draw_panels(self, axes)
         else:
-            draw_decrements(axes, shown_laws(self), self.units.unit)
+            draw_decrements(axes, shown_laws(self), self.units.shown)
         return panels
 
     def _formula(self) -> str:
