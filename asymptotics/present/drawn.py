@@ -28,6 +28,9 @@ _WIDTH, _COLUMNS, _ROW = 78, 3, 15.0  # characters in a line of the heading; ent
 # Inches of a picture in a notebook and of one with axes below; seconds that a cell may wait for one: longer work is
 # shown without it, and drawn by plot().
 _IN_PAGE, _TWO, _SECONDS = (6.4, 3.6), (6.4, 5.2), 5
+_LETTER, _HANDLE, _LINE, _GAPS, _SHORT = 4.6, 44.0, 10.0, 1.1, 8
+"""Points of a letter of the legend, of the line before a name with what is about it, and of a further line of a name;
+by how much the layout makes axes wider that stand beside others; and letters in a line at least."""
 _OURS = ("label", "panels")
 """What is added to a style here, and not by who asks for a picture."""
 
@@ -161,10 +164,27 @@ def _is_of_style(curve: Callable[..., Any], own: Mapping[str, Any]) -> bool:
 def head(axes: Any, lines: list[str]) -> None:
     """Heading, legend below it, axes below that."""
     handles, labels = axes.get_legend_handles_labels()
+    columns, labels = _side_by_side(axes, labels)
+    # A row is as high as the highest of its names: entries go down the columns one after the other.
+    each = -(-len(labels) // columns)
+    high = [max(label.count("\n") for label in labels[i::each]) for i in range(each)]
+    pad = 6.0 + _ROW * each + _LINE * sum(high)
+    axes.set_title("\n".join(lines), loc="center", pad=pad, fontsize=9)
+    if labels:
+        place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "borderaxespad": 0.2}
+        axes.legend(handles, labels, ncols=columns, fontsize=8, **place)
+
+
+def _side_by_side(axes: Any, labels: list[str]) -> tuple[int, list[str]]:
+    """The columns of the legend, and its names, which are broken where even one column is too narrow for them."""
     longest = max(map(len, labels), default=0)
     # Names of more than forty characters do not stand side by side in a picture of this width.
-    columns = 1 if longest > 40 else min(_COLUMNS, max(1, len(labels)))
-    rows = -(-len(labels) // columns) if labels else 0
-    axes.set_title("\n".join(lines), loc="center", pad=6.0 + _ROW * rows, fontsize=9)
-    if labels:
-        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=columns, fontsize=8, borderaxespad=0.2)
+    most = 1 if longest > 40 else min(_COLUMNS, max(1, len(labels)))
+    place = axes.get_subplotspec()
+    if place is None or place.get_gridspec().ncols == 1:
+        return most, labels
+    # Beside other axes there is no room but their own, and half of the gaps that the layout leaves.
+    room = 72.0 * axes.figure.get_figwidth() * float(axes.get_position().width) * _GAPS
+    columns = next((c for c in range(most, 1, -1) if c * (_HANDLE + _LETTER * longest) <= room), 1)
+    letters = max(int((room - _HANDLE) / _LETTER), _SHORT)
+    return columns, ["\n".join(wrap(label, letters, break_on_hyphens=False)) for label in labels]

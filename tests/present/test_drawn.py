@@ -12,7 +12,7 @@ import pytest
 import asymptotics as asy
 from asymptotics.decays.identification.telling.plots import draw_decrements
 from asymptotics.errors import InputError
-from asymptotics.present.drawn import Drawn
+from asymptotics.present.drawn import Drawn, head
 from asymptotics.shell.main import main
 from tests.worlds import OSCILLATOR as OSC
 
@@ -267,3 +267,21 @@ def test_a_pendulum_is_told_in_radians_everywhere():
     assert not [text for text in said if re.search(r"\bm\b", text)]
     assert sum("rad" in text for text in said) >= 12
     assert points.to_dict()["units"] == {"x": "rad", "t": "s"}
+
+
+@pytest.mark.parametrize("columns", [2, 3])
+def test_legends_of_axes_side_by_side_are_no_wider_than_their_place(columns):
+    """Failed before: names like 0+1+pendulum stood in three columns over the neighbour, and over the edge."""
+    figure, row = plt.subplots(1, columns, figsize=(10, 3.5), layout="constrained")
+    for axes in row:
+        for i, name in enumerate(["0+1+pendulum and 0+2+pendulum (coincide)", "0+3+pendulum", "before any law"]):
+            axes.plot([0, 1], [i, i + 1], label=name)
+        head(axes, ["decrement against amplitude"])
+    assert faults(figure) == []
+    assert all(axes.get_legend()._ncols < 3 for axes in row)
+    alone = plt.subplots(layout="constrained")[1]
+    for name in ("0+1+pendulum", "0+2+pendulum", "before any law"):
+        alone.plot([0, 1], [0, 1], label=name)
+    head(alone, ["one"])
+    assert alone.get_legend()._ncols == 3  # near miss: axes that stand alone have room
+    plt.close("all")
