@@ -3,23 +3,30 @@
 Each goes through ``records``: columns t and x; ``line``, the start (A, g, omega, p, c) of one exponential near its
 optimum; ``noise``; ``law`` and ``strengths``, the true ones; ``at``, three amplitudes.  It leaves in ``answer`` for
 each record ``seconds``, and ``failed``, an error's text, or what it says: ``quality`` (low, estimate, high at each
-amplitude), ``strengths`` (low, high), whether its model is ``refuted``.  95 % intervals are 1.96 standard errors.
+amplitude), ``strengths`` (low, high), whether its model is ``refuted``.  95 % intervals are 1.96 standard errors; a
+record has 10 s of processor time.
 """
 
 _EACH = """
-import numpy
+import numpy, signal
 from math import gamma, pi, sqrt
 def fall(alpha):
     return sqrt(pi) * gamma(alpha / 2 + 1) / gamma((alpha + 3) / 2)
+def too_long(*_):
+    raise TimeoutError("10 s of processor time")
+signal.signal(signal.SIGVTALRM, too_long)
 def all_records(work):
     found = []
     for record in records:
         record = {**record, "t": numpy.array(record["t"]), "x": numpy.array(record["x"])}
         start = process_time()
+        signal.setitimer(signal.ITIMER_VIRTUAL, 10)
         try:
             said = work(record)
         except Exception as error:
             said = {"failed": repr(error)}
+        finally:
+            signal.setitimer(signal.ITIMER_VIRTUAL, 0)
         found.append({"seconds": process_time() - start, **said})
     return {"seconds": sum(one["seconds"] for one in found), "found": found}
 """

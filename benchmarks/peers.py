@@ -101,6 +101,12 @@ def _unusable(name: str) -> str | None:
     return None if run.returncode == 0 else (run.stderr.strip().splitlines() or ["no message"])[-1]
 
 
+def use(python: Path) -> None:
+    """Ask that environment from now on: what a second process is told by the first."""
+    global PYTHON
+    PYTHON = python
+
+
 @contextmanager
 def none() -> Iterator[None]:
     """Within it no peer is wanted, and none is asked."""

@@ -38,6 +38,12 @@ def without_law(words: list[str]) -> list[str]:
     return [w for w, before in zip(words, ["", *words]) if w not in law and before not in law]
 
 
+def without_order(words: list[str]) -> list[str]:
+    """The words of a request without an order, which a number at a strength has none of."""
+    at = words.index("--order") if "--order" in words else len(words)
+    return words[:at] + words[at + 2 :]
+
+
 def worlds_of(name: str) -> Iterator[str]:
     """The everyday worlds that the options of a command can say."""
     for world, made in EVERYDAY.items() if {"--law", "--epsilon"} <= options_of(name).keys() else ():

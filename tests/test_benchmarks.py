@@ -103,20 +103,15 @@ def test_the_peers_of_which_pages_have_numbers_stand_there_and_in_the_lock_with_
         assert pages and all(f"{name} {version}" in (root / page).read_text(encoding="utf-8") for page in pages)
 
 
-def test_what_a_second_process_makes_asks_no_peer():
-    """It would not know of --no-peers."""
-    assert set(BESIDE) < set(BENCHMARKS)
-    assert not any(hasattr(import_module(f"benchmarks.{BENCHMARKS[name]}"), "PEERS") for name in BESIDE)
-
-
 def test_a_run_of_all_has_the_tables_in_their_order(monkeypatch, capsys):
     assert measured.__module__ != "benchmarks.__main__"  # which a second process does not have under python -m
-    some = {"smith-rows": "smith_rows", "double-errors": "double_errors", "certificates": "certificates"}
+    some = {"fits": "fits", "smith-rows": "smith_rows", "certificates": "certificates"}
     monkeypatch.setattr("benchmarks.__main__.BENCHMARKS", some)
-    monkeypatch.setattr("benchmarks.__main__.QUICK", {"smith-rows": 5, "double-errors": 1, "certificates": 1})
+    monkeypatch.setattr("benchmarks.__main__.QUICK", {"fits": 1, "smith-rows": 5, "certificates": 1})
     assert main(["--quick", "--no-peers", "--json"]) == 0
     said = capsys.readouterr()
-    assert list(json.loads(said.out)) == list(some)
+    assert list(json.loads(said.out)) == list(some) and some.keys() & set(BESIDE) == {"fits"}
+    assert json.loads(said.out)["fits"]["rows"][1][-1] == "not installed"  # the second process asks no peer either
     assert re.search(r"^certificates: \d+ s$", said.err, re.M)
 
 

@@ -5,11 +5,12 @@
     needs("size dpi", "plot", "there is no picture", "--plot FILE with it")
 
 First what is refused, then what it is refused beside, or without; ``name=word|word`` is an option with one of these
-values.  ``{other}`` and ``{value}`` in a reason are the other option and its value.  The refusal in shell and Python,
-"not with --reference" in --help, the schema and the tests (``tests/ask/test_pairs.py``) follow.
+values.  ``{other}`` in a reason is the other option, with its value where that matters, ``{value}`` the value alone.
+The refusal in shell and Python, "not with --reference" in --help, the schema and the tests
+(``tests/ask/test_pairs.py``) follow.
 
 >>> typed = {"csv": "a.csv", "alpha": "symbolic"}
->>> require((excludes("csv", "alpha=symbolic", "{other} {value} has no numbers", "an exponent"),), typed)
+>>> require((excludes("csv", "alpha=symbolic", "{other} has no numbers", "an exponent"),), typed)
 Traceback (most recent call last):
     ...
 asymptotics.errors.InputError: argument --csv: --alpha symbolic has no numbers (accepted: an exponent)
@@ -74,7 +75,8 @@ class Pair:
 
     def error(self, option: Condition, other: Condition, value: Any, spelled: Callable[[str], str]) -> InputError:
         """The refusal of one option beside, or without, another."""
-        reason = self.reason.format(other=spelled(other.name), value=value)
+        typed = " ".join([spelled(other.name), *([str(value).strip()] if other.words else [])])
+        reason = self.reason.format(other=typed, value=value)
         return InputError(spelled((other if self.missing else option).name), reason, self.accepted)
 
     def beside(self, name: str) -> tuple[Condition, ...]:

@@ -134,10 +134,7 @@ class CertifiedFlow:
         return None
 
     def read_off(self, _u: arb, _given: arb) -> "tuple[LocalExpansion, Piece] | None":
-        """A piece after departing from rest at u that is known without steps, and the expansion up to it.
-
-        Its flow goes on.
-        """
+        """The expansion from rest at u up to a piece that is known without steps, and that piece; its flow goes on."""
         return None
 
     def exact(self, _n: int) -> tuple[Fraction, bool] | None:
@@ -272,12 +269,11 @@ def half_swing_pieces(
     # The powers of w have no Taylor series in the time at rest.  A creep from rest is caught first, and never expanded.
     if w == 0:
         yield from flow.along_slow_curve(here, _ended(flow, unit, here))
-        nearest, known = flow.read_off(u, error) or (None, None)
-        first = _departure(flow, unit, here, nearest)
+        expansion, known = flow.read_off(u, error) or (None, None)
+        first = _departure(flow, unit, here, expansion)
         yield from (first,) if known is None else (replace(first, end=known.begin), known)
-        reach = first.expansion.reach
-        here = after(*((known, *known.own(known.end)) if known else (first, first.expansion.state(reach)[0], reach)))
-        flow = known.flow if known else flow
+        place, w = known.own(known.end) if known else (first.expansion.state(reach := first.expansion.reach)[0], reach)
+        here, flow = after(known or first, place, w), known.flow if known else flow
     ended: str | None = None
     for count in range(pieces):
         tick(f"piece {count} of {'a half-swing' if ended in (None, ESCAPES, ROTATES) else _BY_STEPS}")
@@ -340,14 +336,12 @@ def _at_a_kink(here: FlowState, step: Step, scale: arb) -> FlowState:
     return here
 
 
-def _departure(
-    flow: CertifiedFlow, unit: arb, here: FlowState, nearest: LocalExpansion | None = None
-) -> DeparturePiece:
+def _departure(flow: CertifiedFlow, unit: arb, here: FlowState, first: LocalExpansion | None = None) -> DeparturePiece:
     place, force = flow.place(here.u), flow.force
     # For the true start as well: s_0 > 0 is what makes the mass leave, and P_0 = s_0 divides in the expansion.
     if not force.restoring(place + arb(0, upper(here.errors.error / unit))) > 0:
         raise UndecidedError("whether dry friction holds the mass here is undecided")
-    expansion = flow.expansion(place) if nearest is None else nearest
+    expansion = flow.expansion(place) if first is None else first
     end, tau = expansion.state(expansion.reach)
     if force.kinked and not end > 0:
         raise UndecidedError("the expansion at a turning point reaches a kink of the force")

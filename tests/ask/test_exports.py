@@ -12,7 +12,7 @@ import pytest
 from asymptotics.ask.registry import QUESTIONS, SWEPT, loaded
 from asymptotics.errors import LimitError
 from asymptotics.shell.main import main
-from tests.every_question import example, in_world, options_of, worlds_of
+from tests.every_question import example, in_world, options_of, without_order, worlds_of
 from tests.test_cut_short import stop_at
 
 OWN = [name for name in QUESTIONS if loaded(name).offers.table and loaded(name).offers.again is not None]
@@ -27,8 +27,8 @@ def line_of(name, folder, world="", more=()):
     """The example of a command, in a world; of a curve four rows."""
     words = in_world(name, folder, world) if world else example(name, folder)
     if name == "motion":
-        at = words.index("--order")
-        words = [*words[:at], *words[at + 2 :], "--reference"]  # the series is an estimate
+        words = [*without_order(words), "--reference"]  # the series is an estimate
+    words = without_order(words) if "--delta=1/10" in more else words
     return [*words, *more, *(["--points=3"] if "--points" in options_of(name) else [])]
 
 

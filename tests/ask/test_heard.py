@@ -10,7 +10,7 @@ import pytest
 import asymptotics as asy
 from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.shell.main import main
-from tests.every_question import example, in_world, options_of, worlds_of
+from tests.every_question import example, in_world, options_of, without_order, worlds_of
 from tests.worlds import WORLDS
 
 FORCES = {
@@ -65,11 +65,6 @@ def plain(words, capsys):
     if tuple(words) not in KEPT:
         KEPT[tuple(words)] = answer(words, capsys)
     return KEPT[tuple(words)]
-
-
-def without_order(words):
-    at = words.index("--order") if "--order" in words else len(words)
-    return words[:at] + words[at + 2 :]
 
 
 def some(*case, fast):

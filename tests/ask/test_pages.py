@@ -10,6 +10,7 @@ import pytest
 
 from asymptotics.ask.registry import QUESTIONS
 from asymptotics.errors import InputError
+from asymptotics.made_by import code
 from asymptotics.present.page import displayed, paragraphs, text
 from asymptotics.present.signs import signs
 from asymptotics.shell.main import main
@@ -48,6 +49,7 @@ def test_every_question_has_a_page(page, name):
     assert "\\" not in seen and "**" not in seen and "$" not in seen.replace("US$", ""), "program text on the page"
     assert not re.search(r"<script|https?://(?!www\.w3\.org)[^\s\"<]*\"", seen), "something is fetched"
     assert "Provenance" in seen and "power-law-oscillator" in seen
+    assert code()[:16] in seen  # which code made it, as test_made_by.py asks of all other files
     assert ("<math" in seen) or name not in FORMULAS
     assert ("<svg" in html) or "No picture" in html or name not in ("damping", "motion", "turning-points", "response")
 

@@ -104,7 +104,7 @@ def test_the_result_cannot_be_changed():
 REFUSED = [
     (({2: 0},), {}, "no loss"), (({2: 1}, 0), {}, "not positive"), (({2: 1}, []), {}, "there is none"),
     (({2: 1}, 4), {"spring": "pendulum"}, "outside the well"), (({2: 1}, 1), {"order": 0}, "order"),
-    (("symbolic", 1), {}, "formulas only"), (({2: 1},), {"spring": {(1, 2): 1}}, "no potential"),
+    (("symbolic", 1), {}, "cannot be combined with law symbolic"), (({2: 1},), {"spring": {(1, 2): 1}}, "no potential"),
     ((OSC, 1), {"spring": {3: 1}}, "belongs to the oscillator"), (({2: 1}, [1] * 1001), {}, "too many"),
     (({2: 1}, 1), {"motion": 1}, "truth value"),
 ]  # fmt: skip

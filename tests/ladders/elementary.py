@@ -1,7 +1,7 @@
 """Ladders of what is computed by formulas: numbers, laws, moments, wells, envelopes, Smith's constants."""
 
 import sympy
-from flint import arb
+from flint import arb, fmpq
 
 from asymptotics.envelopes import certified as envelope
 from asymptotics.envelopes.first_order import FirstOrderEnvelope, start_phase
@@ -17,6 +17,7 @@ from asymptotics.motions.invariants import certified as constants
 from asymptotics.motions.invariants.symbolic import generating_function
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.exact import parse_real
+from asymptotics.numbers.gamma_sums import gamma
 from asymptotics.terms import Term
 from tests.ladders.machine import Ladder
 
@@ -67,6 +68,10 @@ NUMBERS = [
     Ladder(
         ("asymptotics.numbers.bridge.closed_form_ball",),
         lambda _: [closed_form_ball(sympy.exp(sympy.sqrt(2)) / 7 + sympy.cos(3) * sympy.pi ** sympy.Rational(1, 3))],
+    ),
+    Ladder(
+        ("asymptotics.numbers.gamma_sums.GammaSum.ball", "asymptotics.numbers.gamma_text.value"),
+        lambda _: [(2 * gamma(fmpq(7, 4)) / gamma(fmpq(9, 4)) - gamma(fmpq(1, 2)) ** 3 / 7).ball()],
     ),
     Ladder(
         ("asymptotics.expansions.half_swings.pi_ring.PiNumber.ball",),

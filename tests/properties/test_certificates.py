@@ -23,7 +23,7 @@ exponents = st.one_of(st.sampled_from(TROUBLE), st.fractions(0, 4, max_denominat
 laws = strategies.laws(2, exponents.map(ExactReal), strategies.strengths("1/100", "1"))
 
 
-@settings(max_examples=8 * LONGER)
+@settings(max_examples=4 * LONGER)
 @given(laws, strategies.states(), st.integers(1, 4), st.integers(3, 30))
 def test_turning_points_are_accepted(law, state, count, digits):
     oscillator = started(law, state)
@@ -34,7 +34,7 @@ def test_turning_points_are_accepted(law, state, count, digits):
     assert len(proved) == len(table.points) + (table.ended is not None and table.ended["reason"] == "sticks")
 
 
-@settings(max_examples=8 * LONGER)
+@settings(max_examples=4 * LONGER)
 @given(laws, strategies.states(), st.fractions(Fraction(1, 10), 12, max_denominator=10), st.integers(3, 30))
 def test_states_are_accepted(law, state, t, digits):
     oscillator = started(law, state)

@@ -159,6 +159,7 @@ def _csv(found: Found, request: Request) -> str:
         excludes("epsilon", "delta", accepted="--delta alone: the local strength"),
         excludes("plot", "delta", "one half-swing is no curve", "--plot without --delta: A'/A against delta"),
         excludes("exact", "delta", accepted="--delta alone: certified digits"),
+        excludes("order", "delta", "a number at a strength is no series", "--delta alone: certified digits"),
     ),
     swept=True,
     example="--alpha 2 --order 1 --digits 5",

@@ -99,7 +99,8 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
         t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
     said = (*run.notes, *notes, *sensor_notes(t, x))
     parts, found = releases(t, x), list[Observations]()
-    beat = near_modes(t, x)
+    swinging = _swinging(t, x, run)  # at rest the swings are those of noise, which rise and fall
+    beat = near_modes(t[swinging], x[swinging])
     if beat is not None:
         if modes == 1 and (beat.is_strong or len(parts) > 1 or len(parts[0]) < len(t)):
             raise InputError("FILE", f"{rows.name} {beat.told}", "--modes 2, which fits both")
@@ -142,7 +143,7 @@ def _decay(
     t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...], modes: int = 1
 ) -> Observations:
     if modes > 1 and len(t) >= LEAST_SAMPLES and np.ptp(x) > 0:
-        kept = moving(t, x, dominant_period(t, x)) if _order(run) == 0 else slice(None)
+        kept = _swinging(t, x, run)
         return with_mode_beside(t[kept], x[kept], unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
     # Within each release: a line has its own phase and size in each of them.
     whole = t
@@ -155,7 +156,7 @@ def _decay(
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)
     if _order(run) == 0:
-        swinging = moving(t, x, dominant_period(t, x)) if len(t) >= LEAST_SAMPLES else slice(None)
+        swinging = _swinging(t, x, run)
         rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
         seen = _beside(slow, observations_of_record(t, x, unit=run.unit, rows=rows, whole_motion=slow is not None))
         return replace(seen, notes=(*notes, *seen.notes, *_tail(whole, seen)))
@@ -163,6 +164,12 @@ def _decay(
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
     seen = observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
     return _beside(slow, seen)
+
+
+def _swinging(t: Array, x: Array, run: RecordTable) -> slice:
+    """The samples of a place before it rests; all of a velocity or an acceleration, of few samples and of one value."""
+    some = _order(run) == 0 and len(t) >= LEAST_SAMPLES and np.ptp(x) > 0
+    return moving(t, x, dominant_period(t, x)) if some else slice(None)
 
 
 def _beside(slow: SlowBaseLine | None, seen: Observations) -> Observations:

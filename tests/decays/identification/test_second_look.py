@@ -12,6 +12,7 @@ from asymptotics.decays.identification.measuring.observations import Observation
 from asymptotics.decays.identification.sources import load
 from asymptotics.decays.identification.synthetic import exact
 from asymptotics.decays.identification.telling.envelope import envelope
+from asymptotics.errors import InputError
 
 
 def moved(force, x0, periods, per_period, noise, seed=1, v0=0.0):
@@ -33,15 +34,20 @@ def strong_quadratic_with_spring():
 
 
 def stuck(rest=True, noise=2e-3):
-    """Dry friction, exactly: half cosines about +-f, until the mass stays where |x| <= f; 18 samples a period."""
-    f, x0, per_period = 0.044, 1.3, 18
-    t, place, side, start, x = np.arange(170) / per_period, x0, 1.0, 0.0, []
+    """Dry friction with 18 samples a period, in noise."""
+    t = np.arange(170) / 18
+    x = dry(t, 0.044, 1.3) + noise * np.random.default_rng(2).standard_normal(len(t))
+    return (t, x) if rest else (t[:110], x[:110])
+
+
+def dry(t, f, place):
+    """Exactly: half cosines about +-f, until the mass stays where |x| <= f."""
+    side, start, x = 1.0, 0.0, []
     for now in t:
         while now - start >= 0.5 and abs(place) > f:
             place, side, start = 2 * side * f - place, -side, start + 0.5
         x.append(place if abs(place) <= f else side * f + (place - side * f) * np.cos(2 * np.pi * (now - start)))
-    x = np.array(x) + noise * np.random.default_rng(2).standard_normal(len(t))
-    return (t, x) if rest else (t[:110], x[:110])
+    return np.array(x)
 
 
 def test_a_record_that_begins_at_a_turning_point_has_none_before_it():
@@ -90,6 +96,21 @@ def test_friction_that_holds_the_mass_off_centre_is_found():
     t, x = stuck(rest=False)
     (seen,) = load({"t": t, "x": x})
     assert seen.samples.t[-1] == t[-1]
+
+
+def test_noise_about_a_place_of_rest_is_no_beat():
+    """It was refused: "the data beats: two modes near each other"; found among 60 records of dry friction."""
+    random = np.random.default_rng([12, 10])
+    f, x0 = random.uniform(0.015, 0.06), random.uniform(0.9, 1.6)
+    t = np.arange(int((x0 / f / 4 + random.uniform(2, 8)) * 12)) / 12
+    noise = random.choice([2e-4, 1e-3, 3e-3])
+    x = dry(t, f, x0) + noise * random.standard_normal(len(t))
+    answer = asy.identify({"t": t, "x": x}, laws=["0", "1", "0+1"])
+    assert answer.verdict.text.startswith("identified: 0,") and answer.law("0").law.epsilon[0].contains(f)
+    # Near miss: what beats before it rests is still refused.
+    beat = np.exp(-0.05 * t) * (np.cos(2 * np.pi * t) + 0.8 * np.cos(2 * np.pi * 1.12 * t))
+    with pytest.raises(InputError, match="beats: two modes"):
+        asy.identify({"t": t, "x": np.where(t < 16, beat, 0.0) + noise * random.standard_normal(len(t))})
 
 
 def test_amplitudes_outside_the_data_are_no_result():

@@ -35,9 +35,6 @@ _FARTHEST, _CHIRP, _LOUD = 0.15, 0.1, 0.1
 """By how much the mean drift of the phase may correct the frequency: a bin of the record, at most a share of the
 frequency, and its chirp; the drift is that of the amplitudes above a tenth of the largest, for in a tail the
 polynomials follow whatever is there."""
-_WILD, _PLACES = 2.0, 101
-"""An amplitude of so many times the range of the record is no motion, but polynomials that cancel each other; and the
-places at which it is looked for."""
 _DEPENDENT = 1e-9
 """Columns that are so much smaller beside the others are no longer independent of them in doubles."""
 _NEWTON, _NEAR, _PARTS = 3, 0.3, 5
@@ -48,6 +45,12 @@ _SPECTRAL, _COEFFICIENTS = 60, 8
 _FINE, _MARGIN = 40, 0.15
 """Places of the phase in a period; and by how much of a half-swing the phase at the start may be off before the turning
 point next to it is missed."""
+_OWN = 0.5
+"""How far from where the phase has it an extreme may lie, in half-swings."""
+_WILD, _ABOUT, _REST, _POOR, _GRID = 2.0, 0.75, 0.01, 0.1, 200
+"""The amplitude of a line is at most so many times half the range of the samples within so many periods: the cosine of
+a line is as large as that in any half-swing, and polynomials that cancel one another are none.  Where nothing moves it
+may still be a hundredth of the record; and it leaves at most a tenth of the record.  Places where it is asked."""
 _STEEP = 1.0
 """By how much ln A may change from the last sample to the turning point beyond it: no decay that is seen to swing
 changes by more in a half-swing, and a wild polynomial must not begin a fit far outside the data."""
@@ -102,11 +105,15 @@ class SpectralLine:
         values = np.interp(times, grid, size) + np.clip(beyond, -_STEEP, _STEEP)
         values = np.exp(values) * np.where(k % 2, -1.0, 1.0)
         # The third overtone and the slope of the amplitude move an extreme away from where the phase has it.
+        by_phase, guessed = times, values
         for _ in range(_NEWTON):
             x, v, a = (self._sum(P, Q, times, order) for order in range(3))
             toward = np.sign(x) * np.sign(a) < 0
             inside = (outside == 0) & (np.abs(v) < _NEAR * self.omega * np.abs(x)) & toward
             times = np.where(inside, times - np.divide(v, a, where=inside, out=np.zeros_like(v)), times)
+        # Nearer to its neighbours than to its own place, it is the extreme of something else.
+        own = np.abs(times - by_phase) < _OWN * np.pi / self.omega
+        times, inside, values = np.where(own, times, by_phase), inside & own, np.where(own, values, guessed)
         return np.arange(len(k)), times, np.where(inside, self._sum(P, Q, times, 0), values), inside
 
     def _integrated(self, c: Array, harmonic: int, derivative: int) -> Array:
@@ -182,31 +189,46 @@ def _line(t: Array, x: Array, omega: float) -> SpectralLine:
     # Nested columns: the first k of Q span the first k of all of them, so that one factorisation serves each degree.
     Q, R = np.linalg.qr(np.concatenate([np.ones((len(t), 1)), u[:, None], modulated], axis=1))
     size = np.abs(np.diag(R))
-    y, tried = Q.T @ x, [(np.inf, 2 + each)]
+    y, criteria = Q.T @ x, dict[int, float]()
     for columns in range(2 + each, R.shape[1] + 1, each):
         if size[:columns].min() < _DEPENDENT * size[:columns].max():
             break
         left = len(t) - columns
         rss = max(float(((x - Q[:, :columns] @ y[:columns]) ** 2).sum()), 1e-300)
         # AICc as in ``criteria``, but finite when there are too few data: such a degree loses by its size.
-        criterion = len(t) * np.log(rss / len(t)) + 2 * columns + 2 * columns * (columns + 1) / max(left - 1, 0.5)
-        tried.append((criterion, columns))
-    for _, columns in sorted(tried):
-        c = np.linalg.lstsq(R[:columns, :columns], y[:columns], rcond=1e-10)[0]
-        if _is_tame(c[2:].reshape(-1, each), float(np.ptp(x))):
-            break
+        penalty = 2 * columns + 2 * columns * (columns + 1) / max(left - 1, 0.5)
+        criteria[columns] = len(t) * np.log(rss / len(t)) + penalty
+    ordered = sorted(criteria, key=lambda count: criteria[count]) or [2 + each]
+    places, highest = _highest(t, x, 2 * np.pi / omega)
+    # Of less than two periods a low degree may be no line at all: then one within twice the range of the record.
+    seen = [n for n in ordered if float((y[n:] ** 2).sum()) < _POOR**2 * float((y[1:] ** 2).sum())]
+    limits = [(seen, highest), (ordered, _WILD * np.ptp(x))]
+    tame = (n for some, most in limits for n in some if (np.abs(_modulation(R, y, n, each, places)) <= most).all())
+    columns = next(tame, ordered[0])
     r = x - Q[:, :columns] @ y[:columns]
     noise, memory = _coloured(t, r, omega, columns, each)
-    waves_of = c[2:].reshape(-1, each)
+    waves_of = _waves(R, y, columns, each)
     third = waves_of[:, 2] - 1j * waves_of[:, 3] if each > 2 else np.zeros(1, dtype=complex)
     return SpectralLine(t, omega, waves_of[:, 0] - 1j * waves_of[:, 1], third, noise, float(len(t) - columns), memory)
 
 
-def _is_tame(waves: Array, size: float) -> bool:
-    """Whether the amplitude of the line stays within twice the range ``size`` of the record."""
-    places = np.linspace(-1, 1, _PLACES)
-    wave = np.polynomial.chebyshev.chebval(places, waves[:, 0] - 1j * waves[:, 1])
-    return bool(np.abs(wave).max() <= _WILD * size)
+def _waves(R: Array, y: Array, columns: int, each: int) -> Array:
+    """The coefficients of so many columns: a row for each power, its cosines and sines."""
+    return np.asarray(np.linalg.lstsq(R[:columns, :columns], y[:columns], rcond=1e-10)[0][2:].reshape(-1, each))
+
+
+def _modulation(R: Array, y: Array, columns: int, each: int, places: Array) -> Array:
+    """P of so many columns at places from -1 to 1."""
+    waves = _waves(R, y, columns, each)
+    return np.asarray(np.polynomial.chebyshev.chebval(places, waves[:, 0] - 1j * waves[:, 1]))
+
+
+def _highest(t: Array, x: Array, period: float) -> tuple[Array, Array]:
+    """Places from -1 to 1, and how large the amplitude of a line may be there; no limit in a gap."""
+    times = np.linspace(t[0], t[-1], _GRID)
+    ends = zip(np.searchsorted(t, times - _ABOUT * period), np.searchsorted(t, times + _ABOUT * period, side="right"))
+    size = np.array([np.ptp(x[low:high]) / 2 if high > low else np.inf for low, high in ends])
+    return np.linspace(-1.0, 1.0, _GRID), _WILD * np.maximum(size, _REST * float(np.ptp(x)))
 
 
 def _coloured(t: Array, r: Array, omega: float, columns: int, each: int) -> tuple[float, float]:

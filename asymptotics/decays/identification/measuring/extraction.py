@@ -122,7 +122,8 @@ def observations_of_record(
     # Of a few periods the smooth line has too little to begin with.
     few = len(chosen) < _FEW_EXTREMES and found.noise > _COARSE * abs(found.x[chosen[0]])
     if (whole_motion or few or noisy and hard) and (t[-1] - t[0]) / period > 4:
-        free = (t >= found.t[chosen[0]]) & (t <= found.t[chosen[-1]])
+        first, last = _to_passages(found, chosen)
+        free = (t >= first) & (t <= last)
         kept = (*table.notes, *discarded)
         return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=kept, period=period)
     found = _at_quiet_times(t, x - base[0] - base[1] * (t - t[0]), found, chosen, _half_width(t, period))
@@ -139,6 +140,21 @@ def observations_of_record(
     free = (t >= seen.t[0]) & (t <= seen.t[-1])
     record = t[free], (x - base[0] - base[1] * (t - t[0]))[free]
     return replace(seen, window=Window.of(t, seen.t, half, 2 * np.pi / period), floor=floor, record=record)
+
+
+def _to_passages(found: _Points, chosen: Indices) -> tuple[float, float]:
+    """From the first chosen extreme to the last, and on to the passage beside it where nothing was left out there.
+
+    At its very ends a smooth line is known badly; who passes the base line is free.
+    """
+    first, last = float(found.t[chosen[0]]), float(found.t[chosen[-1]])
+    before, after = found.passage_t[found.passage_t < first], found.passage_t[found.passage_t > last]
+    half = float(np.median(np.diff(found.t)))
+    if chosen[0] == 0 and len(before) and first - before[-1] < half:
+        first = float(before[-1])
+    if chosen[-1] == len(found.t) - 1 and len(after) and after[0] - last < half:
+        last = float(after[0])
+    return first, last
 
 
 def _about_base_line(t: Array, x: Array, period: float) -> tuple[_Points, Array]:

@@ -11,11 +11,13 @@ which forgives noise.  What a loss does to the period is of second order in its 
 ['5.655', '6.092', '6.225']
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from scipy.special import stdtrit
 
 from asymptotics.decays.identification.forward.coefficients import Array
-from asymptotics.decays.identification.measuring.criteria import aicc
+from asymptotics.decays.identification.measuring.criteria import aicc, memory_factor
 from asymptotics.decays.identification.measuring.observations import Indices
 
 Row = dict[str, float]
@@ -29,8 +31,15 @@ def backbone(n: Indices, size: Array, t: Array, stated: float) -> list[Row]:
 
     ``stated``: the standard error of a turning time, where it is known to be more than the scatter.
     """
+    found = period_at(n, size, t, stated)
+    ends = (float(size[0]), float(np.sqrt(size[0] * size[-1])), float(size[-1]))
+    return [] if found is None else [found(a) for a in ends]
+
+
+def period_at(n: Indices, size: Array, t: Array, stated: float) -> Callable[[float], Row] | None:
+    """T with its interval as a function of the amplitude; None of too few times."""
     if len(n) < _LEAST:
-        return []
+        return None
     gap = np.diff(n)
     middle = np.sqrt(size[1:] * size[:-1]) / size[0]
     found: list[tuple[float, tuple[int, ...], Array, Array]] = []
@@ -39,15 +48,17 @@ def backbone(n: Indices, size: Array, t: Array, stated: float) -> list[Row]:
         V = np.stack([np.ones(len(t)), *sums], axis=1)
         c: Array = np.asarray(np.linalg.lstsq(V, t, rcond=None)[0], dtype=np.float64)
         freedom = len(t) - V.shape[1]
-        rss = max(float(((t - V @ c) ** 2).sum()), (1e-12 * float(np.ptp(t))) ** 2)
+        left = t - V @ c
+        rss = max(float((left**2).sum()), (1e-12 * float(np.ptp(t))) ** 2)
         noise = max(rss / freedom, stated**2)
         value = float(aicc(len(t) * np.log(noise), V.shape[1] + 1, len(t)))
-        covariance = (np.linalg.pinv(V.T @ V) * noise)[1:, 1:] * float(stdtrit(freedom, 0.975)) ** 2
+        covariance = (np.linalg.pinv(V.T @ V) * noise * memory_factor(left))[1:, 1:] * float(
+            stdtrit(freedom, 0.975)
+        ) ** 2
         found.append((value, powers, c[1:], covariance))
     least = min(value for value, *_ in found)
     near = sorted((f for f in found if f[0] < least + _NEAR), key=lambda f: f[0])
-    ends = (float(size[0]), float(np.sqrt(size[0] * size[-1])), float(size[-1]))
-    return [_row(a, [_at(a / size[0], powers, c, spread) for _, powers, c, spread in near]) for a in ends]
+    return lambda a: _row(a, [_at(a / size[0], powers, c, spread) for _, powers, c, spread in near])
 
 
 def _at(amplitude: float, powers: tuple[int, ...], c: Array, covariance: Array) -> tuple[float, float]:

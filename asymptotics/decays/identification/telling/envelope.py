@@ -1,6 +1,6 @@
 """Period, Q(A), T(A) and half-life of a record before any law: from the envelope, a smooth curve through amplitudes.
 
-In a half-swing ln A falls by a sum of powers of A (from 1/A to A^2; which of them, by AICc), and Q = pi/2 over this
+In a half-swing ln A falls by a sum of powers of A (from 1/A to A^3; which of them, by AICc), and Q = pi/2 over this
 fall, at the first amplitude, the last and the geometric mean of both, with 95 % intervals of the regression.  No law of
 motion enters, and no spring: it is told for every record that swings, whatever the verdict is.  The intervals are those
 of all choices of powers whose AICc is near that of the best.  Of four turning points and fewer the samples tell more: a
@@ -26,19 +26,19 @@ from scipy.special import stdtrit
 
 from asymptotics.decays.identification.fitting.starting import rest_position
 from asymptotics.decays.identification.forward.coefficients import Array
-from asymptotics.decays.identification.measuring.criteria import aicc
+from asymptotics.decays.identification.measuring.criteria import aicc, memory_factor
 from asymptotics.decays.identification.measuring.damped_cosine import damped_cosine
 from asymptotics.decays.identification.measuring.observations import Indices, Observations
-from asymptotics.decays.identification.telling.backbone import backbone
+from asymptotics.decays.identification.telling.backbone import backbone, period_at
 from asymptotics.decays.records.units import SECONDS
 
 Ends = dict[str, float]
 Decline = Callable[[float], Ends]
 _INVERTED = {"low": "high", "estimate": "estimate", "high": "low"}
-_POWERS, _LEAST, _GRID, _NEAR = (-1, 0, 1, 2), 5, 101, 4.0
-"""Of A, in the fall of ln A by the losses of exponents 0 to 3; turning points below which there is no choice of several
-powers; places between an amplitude and half of it; and the AICc above the best up to which a choice of powers is
-believed too."""
+_POWERS, _TERMS, _LEAST, _GRID, _NEAR = (-1, 0, 1, 2, 3), 3, 5, 101, 4.0
+"""Of A, in the fall of ln A: those by the losses of exponents 0 to 3, and of a loss in v^2 beside a pendulum; how many
+together; turning points below which there is one power alone; places between an amplitude and half of it; and the AICc
+above the best up to which a choice of powers is believed too."""
 _FEWEST, _ENDED, _REST = 4, 1e-3, 1.5
 """Turning points that leave one more than a loss and the rest position have numbers; the share of the first amplitude
 at which a decay of few swings ends; and how many times longer than the others the half-swing is in which it comes to
@@ -135,16 +135,14 @@ def envelope(seen: Observations) -> MeasuredEnvelope | None:
     if seen.spacing is not None:  # an envelope: n is an artificial clock, and the true period is known
         step = 2 * seen.spacing
         period = None if unknown else dict.fromkeys(("low", "estimate", "high"), step / seen.stride)
-    life = None if step is None else _half_life(decline, size, step)
     time = seen.time_unit or "s"
+    rows, lasts = _backbone(seen, inside, size, time), _lasts(seen, inside, size, step)
+    life = None if lasts is None else _half_life(decline, size, lasts)
     period, life = (v and {k: e / SECONDS[time] for k, e in v.items()} for v in (period, life))
-    # The fall of ln A in a half-swing, which takes half a step.
-    by = None if step is None else step / 2 / SECONDS[time]
-    rates = () if by is None else tuple(_rate(float(a), decline(float(a)), by) for a in ends)
+    by = () if lasts is None else [lasts(float(a)) / SECONDS[time] for a in ends]
+    rates = tuple(_rate(float(a), decline(float(a)), half) for a, half in zip(ends, by))
     untold = "nobody says how fast it swings (--omega0)" if unknown else ""
-    return MeasuredEnvelope(
-        period, quality, life, seen.shown_unit, time, _backbone(seen, inside, size, time), rates, untold
-    )
+    return MeasuredEnvelope(period, quality, life, seen.shown_unit, time, rows, rates, untold)
 
 
 def why_none(seen: Observations) -> str:
@@ -179,8 +177,9 @@ def _by_samples(seen: Observations) -> MeasuredEnvelope | None:
     period = {k: v / SECONDS[time] if v > 0 else inf for k, v in _inverse(line.omega, 2 * pi).items()}
     ends = [float(a) for a in (size[0], np.sqrt(size[0] * size[-1]), size[-1])]
     quality = tuple(_quality(a, line.fall(a), 1.0) for a in ends)
-    rates = tuple(_rate(a, line.fall(a), period["estimate"] / 2) for a in ends)
-    life = _half_life(line.fall, size, period["estimate"])
+    half = period["estimate"] / 2
+    rates = tuple(_rate(a, line.fall(a), half) for a in ends)
+    life = _half_life(line.fall, size, lambda _: half)
     return MeasuredEnvelope(period, quality, life, seen.shown_unit, time, (), rates)
 
 
@@ -202,6 +201,19 @@ def _backbone(seen: Observations, inside: NDArray[np.bool_], size: Array, time: 
     return tuple({k: v if k == "amplitude" else v / SECONDS[time] for k, v in row.items()} for row in rows)
 
 
+def _lasts(
+    seen: Observations, inside: NDArray[np.bool_], size: Array, step: float | None
+) -> Callable[[float], float] | None:
+    """The time of a half-swing, in which the fall of ln A is told, at an amplitude: of a pendulum it is none for all.
+
+    ``step``: the mean period, or that of an artificial clock.
+    """
+    if step is None:
+        return None
+    found = period_at(seen.n[inside], size, seen.t[inside], 0.0) if seen.has_times and seen.spacing is None else None
+    return (lambda _: step / 2) if found is None else (lambda amplitude: found(amplitude)["estimate"] / 2)
+
+
 def _decline(n: Indices, size: Array, stated: float, error: Array | float) -> Decline | None:
     """What ln A loses in a half-swing at an amplitude: the sum of powers of A that the criterion chooses."""
     gap = np.diff(n)
@@ -210,8 +222,7 @@ def _decline(n: Indices, size: Array, stated: float, error: Array | float) -> De
     sums = {k: -np.concatenate([[0.0], np.cumsum(gap * middle**k)]) for k in _POWERS}
     # Of a few points all choices of one power have as many numbers: their sums of squares alone compare them.
     few = len(n) < _LEAST
-    most = 1 if few else len(_POWERS)
-    sets = [c for count in range(1, most + 1) for c in combinations(_POWERS, count)]
+    sets = [c for count in range(1, (1 if few else _TERMS) + 1) for c in combinations(_POWERS, count)]
     weight = size / size[0] / error  # where the errors of the amplitudes are alike, those of their logarithms are not
     found = []
     for powers in sets:
@@ -219,12 +230,13 @@ def _decline(n: Indices, size: Array, stated: float, error: Array | float) -> De
         y = weight * np.log(size)
         # The rest position was taken from them too, which counts where they are few.
         c, freedom = np.linalg.lstsq(V, y, rcond=None)[0], max(len(size) - V.shape[1] - few, 1)
-        rss = max(float(((y - V @ c) ** 2).sum()), 1e-24)
+        left = y - V @ c
+        rss = max(float((left**2).sum()), 1e-24)
         deviance = len(y) * log(rss / len(y))
-        value = aicc(deviance, V.shape[1] + 1, len(y)) if not few else deviance
+        value = deviance if few else aicc(deviance, V.shape[1] + 1, len(y))
         if np.isfinite(value):
             # What is told of the amplitudes elsewhere counts where it is more than the scatter, as for a smooth line.
-            noise = max(rss / freedom, (stated / size[0]) ** 2)
+            noise = max(rss / freedom, (stated / size[0]) ** 2) * memory_factor(left)
             covariance = (np.linalg.pinv(V.T @ V) * noise)[1:, 1:] * float(stdtrit(freedom, 0.975)) ** 2
             found.append((value, _Fall(powers, c[1:], covariance)))
     if not found:
@@ -278,14 +290,15 @@ def _period(n: Indices, t: Array) -> Ends:
     return {"low": middle - reach, "estimate": middle, "high": middle + reach}
 
 
-def _half_life(decline: Decline, size: Array, period: float) -> Ends:
+def _half_life(decline: Decline, size: Array, lasts: Callable[[float], float]) -> Ends:
     """The time in which ln A falls by ln 2; below the last amplitude as there."""
     grid = np.linspace(log(size[0] / 2), log(size[0]), _GRID)
-    found = [decline(max(float(np.exp(s)), float(size.min()))) for s in grid]
+    places = [max(float(np.exp(s)), float(size.min())) for s in grid]
+    found, half = [decline(a) for a in places], np.array([lasts(a) for a in places])
     ends = {}
     for name, by in _INVERTED.items():
-        rate = np.array([fall[by] for fall in found])
-        ends[name] = float(np.trapezoid(1 / rate, grid)) * period / 2 if (rate > 0).all() else inf
+        fall = np.array([each[by] for each in found])
+        ends[name] = float(np.trapezoid(half / fall, grid)) if (fall > 0).all() else inf
     return ends
 
 

@@ -162,13 +162,13 @@ def test_the_half_life_is_the_integral_of_the_inverse_fall(power):
     g, T, A = 0.04, 3.0, 2.0
     decline = lambda a: {"low": g * a**power / 2, "estimate": g * a**power, "high": g * a**power * 2}  # noqa: E731
     exact = np.log(2) / g if power == 0 else (1 / (A / 2) ** power - 1 / A**power) / (g * power)
-    found = module._half_life(decline, np.array([A, 0.9]), T)
+    found = module._half_life(decline, np.array([A, 0.9]), lambda _: T / 2)
     assert ends(found) == pytest.approx([exact * T / 4, exact * T / 2, exact * T], rel=1e-4)
 
 
 def test_below_the_last_amplitude_the_fall_is_that_at_it_and_none_is_no_half_life():
     decline = lambda a: {"low": -0.1, "estimate": 0.04 * a, "high": 0.05}  # noqa: E731
-    found = module._half_life(decline, np.array([2.0, 1.5]), 2.0)
+    found = module._half_life(decline, np.array([2.0, 1.5]), lambda _: 1.0)
     exact = (1 / 1.5 - 1 / 2.0) / 0.04 + np.log(1.5) / (0.04 * 1.5)  # from 2 to 1.5 by the fall, to 1 at that of 1.5
     assert found["estimate"] == pytest.approx(exact, rel=1e-3)
     assert found["high"] == np.inf and found["low"] == pytest.approx(np.log(2) / 0.05)
