@@ -88,7 +88,7 @@ def identified(
     if len(units) > 1:
         raise InputError("unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
     said = runs[0].omega if omega is None and isinstance(runs[0], Observations) else omega
-    known = RecordUnits(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, said, runs[0].shown_unit)
+    known = RecordUnits(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, said, runs[0].written)
     # One run without times leaves no spring to any: a common law must be tried on all of them.
     times = not amplitudes_only and all(isinstance(r, Observations) and r.has_times for r in runs)
     candidates = _candidates(laws, springs, times, known.unit in ANGLES)
