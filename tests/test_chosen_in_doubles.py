@@ -32,6 +32,10 @@ ROOMS += ("turning",)
 IN_DOUBLES = re.compile(r"float|_double|\.sizes|\.seconds|size_of|np\.")
 ANY_WILL_DO = {  # how many choices in the file, and why each of them may be wrong
     "expansions/divergence/petal.py": (1, "each petal has bounds of its own, proved: the smallest of a few"),
+    "decays/identification/measuring/damped_cosine.py": (
+        1,
+        "where a search begins; all there is an estimate in doubles",
+    ),
     "envelopes/large.py": (3, "where the tail begins, and where Newton's method starts: any place serves"),
     "limit_cycles/series.py": (2, "the cycle nearest to a guess, which is a double itself"),
     "flow/slow_manifold/attraction.py": (1, "Newton's method starts at one of several places"),

@@ -14,12 +14,11 @@ legend stands between the heading and the axes, never over the data; a second re
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from textwrap import wrap
 from typing import Any
 
 from asymptotics.errors import InputError, shown
-from asymptotics.present.figures import DPI, SIZE, new_axes, render, styled
+from asymptotics.present.figures import DPI, SIZE, new_axes, render, scratch_axes, styled
 from asymptotics.present.html import image
 from asymptotics.present.shown import Shown
 from asymptotics.running.budget import budget
@@ -29,6 +28,11 @@ _WIDTH, _COLUMNS, _ROW = 78, 3, 15.0  # characters in a line of the heading; ent
 # Inches of a picture in a notebook and of one with axes below; seconds that a cell may wait for one: longer work is
 # shown without it, and drawn by plot().
 _IN_PAGE, _TWO, _SECONDS = (6.4, 3.6), (6.4, 5.2), 5
+_LETTER, _HANDLE, _LINE, _GAPS, _SHORT = 4.6, 44.0, 10.0, 1.1, 8
+"""Points of a letter of the legend, of the line before a name with what is about it, and of a further line of a name;
+by how much the layout makes axes wider that stand beside others; and letters in a line at least."""
+_OURS = ("label", "panels")
+"""What is added to a style here, and not by who asks for a picture."""
 
 
 class Drawn(Shown):
@@ -113,8 +117,7 @@ def draw_on(axes: Any, results: Sequence[Any], style: dict[str, Any]) -> None:
         own = dict(style)
         if len(results) > 1:
             own.setdefault("label", result._headed(style))
-        # A copy of the style for each, since a curve takes its own options out of it.
-        if _drawn(partial(result._curve, axes, **own)):
+        if _drawn(result._curve, axes, own):
             return  # panels, which have headings of their own
     told = axes.get_title().split("\n") if axes.get_title() else []
     new = [] if len(results) > 1 else _lines(results[0]._headed(style))
@@ -131,25 +134,57 @@ def _lines(heading: str) -> list[str]:
     return [line.replace("\N{NO-BREAK SPACE}", " ") for line in wrap(whole, _WIDTH, break_on_hyphens=False)]
 
 
-def _drawn(draw: Callable[[], Any]) -> Any:
+def _drawn(curve: Callable[..., Any], axes: Any, own: dict[str, Any]) -> Any:
+    """What ``curve`` returns; InputError for a style that it or Matplotlib does not have."""
     try:
-        return draw()
+        # A copy of the style, since a curve takes its own options out of it.
+        return curve(axes, **own)
     # What Matplotlib raises for a keyword or a value that its lines do not have; an InputError is ours and says more.
-    # A fault of our own of these kinds is told as one of the style: its words are in the reason.
     except (AttributeError, TypeError, ValueError) as error:
-        if isinstance(error, InputError):
+        if isinstance(error, InputError) or not _is_of_style(curve, own):
             raise
         reason = " ".join(str(error).split())[:120] or type(error).__name__
         raise InputError("style", reason, "options of this plot, and of a line of Matplotlib") from error
 
 
+def _is_of_style(curve: Callable[..., Any], own: Mapping[str, Any]) -> bool:
+    """Whether the curve can be drawn without the style that was asked for: else the fault is our own."""
+    plain_style = {name: value for name, value in own.items() if name in _OURS}
+    if len(plain_style) == len(own):
+        return False
+    try:
+        curve(scratch_axes(), **plain_style)
+    except InputError:
+        return True  # an option of its own is needed, and the fault lies in one of those that are missing now
+    except (AttributeError, TypeError, ValueError):
+        return False
+    return True
+
+
 def head(axes: Any, lines: list[str]) -> None:
     """Heading, legend below it, axes below that."""
     handles, labels = axes.get_legend_handles_labels()
+    columns, labels = _side_by_side(axes, labels)
+    # A row is as high as the highest of its names: entries go down the columns one after the other.
+    each = -(-len(labels) // columns)
+    high = [max(label.count("\n") for label in labels[i::each]) for i in range(each)]
+    pad = 6.0 + _ROW * each + _LINE * sum(high)
+    axes.set_title("\n".join(lines), loc="center", pad=pad, fontsize=9)
+    if labels:
+        place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "borderaxespad": 0.2}
+        axes.legend(handles, labels, ncols=columns, fontsize=8, **place)
+
+
+def _side_by_side(axes: Any, labels: list[str]) -> tuple[int, list[str]]:
+    """The columns of the legend, and its names, which are broken where even one column is too narrow for them."""
     longest = max(map(len, labels), default=0)
     # Names of more than forty characters do not stand side by side in a picture of this width.
-    columns = 1 if longest > 40 else min(_COLUMNS, max(1, len(labels)))
-    rows = -(-len(labels) // columns) if labels else 0
-    axes.set_title("\n".join(lines), loc="center", pad=6.0 + _ROW * rows, fontsize=9)
-    if labels:
-        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=columns, fontsize=8, borderaxespad=0.2)
+    most = 1 if longest > 40 else min(_COLUMNS, max(1, len(labels)))
+    place = axes.get_subplotspec()
+    if place is None or place.get_gridspec().ncols == 1:
+        return most, labels
+    # Beside other axes there is no room but their own, and half of the gaps that the layout leaves.
+    room = 72.0 * axes.figure.get_figwidth() * float(axes.get_position().width) * _GAPS
+    columns = next((c for c in range(most, 1, -1) if c * (_HANDLE + _LETTER * longest) <= room), 1)
+    letters = max(int((room - _HANDLE) / _LETTER), _SHORT)
+    return columns, ["\n".join(wrap(label, letters, break_on_hyphens=False)) for label in labels]

@@ -96,6 +96,11 @@ def new_axes(size: Any = SIZE) -> Any:
     return _matplotlib("matplotlib.pyplot").subplots(figsize=_size(size), layout="constrained")[1]
 
 
+def scratch_axes() -> Any:
+    """Axes of a figure that nobody sees."""
+    return _matplotlib("matplotlib.figure").Figure().subplots()
+
+
 def counted(axis: Any) -> None:
     """Ticks at whole numbers only, where the axis chooses its ticks itself.
 

@@ -12,7 +12,7 @@ import pytest
 import asymptotics as asy
 from asymptotics.decays.identification.telling.plots import draw_decrements
 from asymptotics.errors import InputError
-from asymptotics.present.drawn import Drawn
+from asymptotics.present.drawn import Drawn, head
 from asymptotics.shell.main import main
 from tests.worlds import OSCILLATOR as OSC
 
@@ -165,6 +165,38 @@ def test_bad_requests_are_refused_by_name(call):
         call(asy.motion(LAW, order=1))
 
 
+class Faulty(Drawn):
+    """Its own fault, whatever the style is."""
+
+    def _heading(self):
+        return "a fault"
+
+    def _curve(self, axes, **style):
+        axes.plot([0, 1], [0, 1], **style)
+        axes.plot([0, 1, 2], [0, 1])  # Matplotlib raises ValueError for what we have done
+
+
+class Needing(Faulty):
+    """It is drawn up to a time that must be said."""
+
+    def _curve(self, axes, **style):
+        if "until" not in style:
+            raise InputError("until", "missing", "a time")
+        axes.plot([0, style.pop("until")], [0, 1], **style)
+
+
+@pytest.mark.parametrize("style", [{}, {"color": "red"}, {"label": "ours"}])
+def test_a_fault_of_our_own_is_not_told_as_one_of_the_style(style):
+    """Failed before: any fault while drawing was told as argument style."""
+    with pytest.raises(ValueError, match="same first dimension") as caught:
+        Faulty().picture("svg", **style)
+    assert not isinstance(caught.value, InputError)
+    with pytest.raises(InputError, match="argument style"):  # near miss: what the style has caused
+        asy.motion(LAW, order=1).picture("svg", until=9, no_such_style=1)
+    with pytest.raises(InputError, match="argument style"):  # and of a curve that cannot be drawn without an option
+        Needing().picture("svg", until=9, no_such_style=1)
+
+
 def test_files_say_what_they_show_and_are_the_same_each_time():
     motion = asy.motion(LAW, order=1)
     svg = motion.picture("svg", until=10)
@@ -235,3 +267,21 @@ def test_a_pendulum_is_told_in_radians_everywhere():
     assert not [text for text in said if re.search(r"\bm\b", text)]
     assert sum("rad" in text for text in said) >= 12
     assert points.to_dict()["units"] == {"x": "rad", "t": "s"}
+
+
+@pytest.mark.parametrize("columns", [2, 3])
+def test_legends_of_axes_side_by_side_are_no_wider_than_their_place(columns):
+    """Failed before: names like 0+1+pendulum stood in three columns over the neighbour, and over the edge."""
+    figure, row = plt.subplots(1, columns, figsize=(10, 3.5), layout="constrained")
+    for axes in row:
+        for i, name in enumerate(["0+1+pendulum and 0+2+pendulum (coincide)", "0+3+pendulum", "before any law"]):
+            axes.plot([0, 1], [i, i + 1], label=name)
+        head(axes, ["decrement against amplitude"])
+    assert faults(figure) == []
+    assert all(axes.get_legend()._ncols < 3 for axes in row)
+    alone = plt.subplots(layout="constrained")[1]
+    for name in ("0+1+pendulum", "0+2+pendulum", "before any law"):
+        alone.plot([0, 1], [0, 1], label=name)
+    head(alone, ["one"])
+    assert alone.get_legend()._ncols == 3  # near miss: axes that stand alone have room
+    plt.close("all")

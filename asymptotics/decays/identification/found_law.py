@@ -12,7 +12,7 @@ from asymptotics.decays.identification.inverse_damping import DampingCandidate, 
 from asymptotics.decays.identification.judging.grades import off
 from asymptotics.errors import require_choice
 from asymptotics.frames import Frame
-from asymptotics.present.percent import percent
+from asymptotics.present.percent import at_most, percent
 from asymptotics.present.shown import Page, Rows
 
 # So many rivals are named; the table below has all of them.
@@ -103,7 +103,7 @@ class DampingLaw(Rows):
     def _worth(self) -> list[str]:
         told = "intervals: profiles, 95 %; estimates in doubles of the first-order law"
         if self.neglected is not None:
-            told += f"; the motion differs from it by at most {percent(self.neglected)} at these amplitudes"
+            told += f"; the motion differs from it by {at_most(self.neglected)} at these amplitudes"
             if self.neglected > self.resolution:
                 told += f", more than the resolution ({percent(self.resolution)}): the strengths are off by about that"
         return [told, *self.notes]

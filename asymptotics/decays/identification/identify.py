@@ -84,11 +84,11 @@ def identified(
     tick("the reading of the data")
     omega = _omega(mass, stiffness, omega_0)
     runs = [_in_range(run, amplitudes) for source in sources for run in load(source, kind, unit, how, omega, modes)]
-    units = {run.unit for run in runs}
+    units = {run.shown_unit for run in runs}
     if len(units) > 1:
         raise InputError("unit", f"the runs have different units: {', '.join(sorted(units))}", "one unit")
     said = runs[0].omega if omega is None and isinstance(runs[0], Observations) else omega
-    known = RecordUnits(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, said)
+    known = RecordUnits(runs[0].unit, UNITS.get(runs[0].unit, 1.0), mass, stiffness, said, runs[0].written)
     # One run without times leaves no spring to any: a common law must be tried on all of them.
     times = not amplitudes_only and all(isinstance(r, Observations) and r.has_times for r in runs)
     candidates = _candidates(laws, springs, times, known.unit in ANGLES)

@@ -61,7 +61,7 @@ def load(
             found: list[Observations] = [_ringdown(table.whole(), omega_0)]
         else:
             found = [_turning_points(table)] if table.kind == "turning-points" else _motions(table.whole(), modes)
-        return [replace(run, time_unit=table.clock) for run in found]
+        return [replace(run, time_unit=table.clock, written=table.written) for run in found]
     except InputError as error:
         # A column that was taken wrongly may be why: the refusal names it, and those that swing more.
         if not error.argument.startswith("FILE"):
@@ -258,4 +258,4 @@ def _decrements(table: RecordTable) -> Decrements:
             place = int(np.argmax(wrong))
             said = f"{rows.where(place, column)}: {columns[column][place]:g} {reason}"
             raise InputError("FILE", said, "amplitude > 0, resolution >= 0, decrement + resolution < 2 amplitude")
-    return Decrements(amplitude, decrement, resolution, table.unit, rows.name, notes)
+    return Decrements(amplitude, decrement, resolution, table.unit, rows.name, notes, table.written)

@@ -57,7 +57,8 @@ class How:
 @dataclass(frozen=True)
 class Source:
     """``headed``: whether the names stand in the file; ``read``: the columns at these places; ``sample``: some rows;
-    ``rate``: samples a second, and ``frequency`` in Hz, where the file says them."""
+    ``rate``: samples a second, and ``frequency`` in Hz, where the file says them; ``stamped``: the columns of dates and
+    times of day, which need no unit."""
 
     name: str
     names: tuple[str, ...]
@@ -67,6 +68,7 @@ class Source:
     notes: tuple[str, ...] = ()
     rate: float | None = None
     frequency: float | None = None
+    stamped: frozenset[int] = frozenset()
 
 
 def opened(source: Any, how: How) -> Source:
@@ -166,7 +168,9 @@ def _of_text(source: Path | bytes, name: str, how: How) -> Source:
     told += ["the columns have different decimal marks"] if layout.others else []
     told += ["a comma or point groups thousands"] if layout.thousands else []
     headed = not all(_NO_NAME.fullmatch(n) for n in names if n)
-    return Source(name, names, headed, read, sample, tuple(told), rate_in(above), frequency_in(above))
+    return Source(
+        name, names, headed, read, sample, tuple(told), rate_in(above), frequency_in(above), frozenset(stamps)
+    )
 
 
 def _share(flags: Iterable[bool]) -> float:
@@ -215,7 +219,14 @@ def _of_frame(frame: Any, name: str, how: How) -> Source:
         return Body(columns, np.arange(len(frame)), unread)
 
     rate = frame.attrs.get("rate") if isinstance(frame.attrs, dict) else None
-    return Source(name, names, headed, read, lambda wanted: read(wanted).columns, rate=rate)
+    stamped = frozenset(i for i in range(len(names)) if _is_stamped(frame.iloc[:, i]))
+    return Source(name, names, headed, read, lambda wanted: read(wanted).columns, rate=rate, stamped=stamped)
+
+
+def _is_stamped(column: Any) -> bool:
+    """Whether a column of a frame holds dates, durations or times of day."""
+    cells = [cell for cell in column.head(_HEAD).tolist() if isinstance(cell, str)] if column.dtype.kind == "O" else []
+    return column.dtype.kind in "Mm" or _share(map(is_stamp, cells)) > _HALF
 
 
 def _numbers(column: Any, place: int, unread: Unread, decimal: str) -> Array:

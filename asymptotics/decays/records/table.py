@@ -36,7 +36,17 @@ from asymptotics.decays.records.peaks import (
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.decays.records.uncertainties import errors_of
-from asymptotics.decays.records.units import GRAVITY, SECONDS, UNITS, seconds, since, standard, suffix, unit_of
+from asymptotics.decays.records.units import (
+    GRAVITY,
+    SECONDS,
+    UNITS,
+    is_unsaid,
+    seconds,
+    since,
+    standard,
+    suffix,
+    unit_of,
+)
 from asymptotics.errors import InputError, require_choice
 
 Array = NDArray[np.float64]
@@ -51,7 +61,8 @@ class RecordTable:
     """Columns of equal length, by their names in the contract; ``unit``: of x; ``rows``: where they stand; ``clock``:
     the unit of time in the file (the times themselves are in s); ``read_as``: a sentence on the columns of a file that
     has others too, for a refusal.  Of an envelope, ``frequency`` in Hz where the file says it, and whether the errors
-    are ``relative`` to the amplitudes, as those of levels are."""
+    are ``relative`` to the amplitudes, as those of levels are.  ``written``: a unit of x that is none of those that are
+    known, such as V: strengths refer to it."""
 
     kind: str
     columns: dict[str, Array]
@@ -61,6 +72,7 @@ class RecordTable:
     clock: str = "s"
     frequency: float | None = None
     relative: bool = False
+    written: str = ""
     read_as: Callable[[], str] = field(default=str, compare=False)
 
     def kept(self, keep: NDArray[np.bool_] | NDArray[np.intp], *notes: str) -> "RecordTable":
@@ -181,9 +193,12 @@ def _as_envelope(table: RecordTable, unit: str, frequency: float | None) -> Reco
     said = (f"amplitudes 10^(L/20) of the levels L in {unit}",) if relative else ()
     notes = tuple(note for note in table.notes if not (relative and "strengths refer to" in note))
     columns = {"t": table.columns["t"], "x": x}
+    # The root of a power, and what a level is the logarithm of, are in another unit than the column.
+    written = table.written if np.array_equal(x, table.columns["x"], equal_nan=True) else ""
     return replace(
-        table, kind="envelope", columns=columns, notes=(*notes, *said), frequency=frequency, relative=relative
-    )
+        table, kind="envelope", columns=columns, notes=(*notes, *said), frequency=frequency, relative=relative,
+        written=written,
+    )  # fmt: skip
 
 
 def _as_peaks(table: RecordTable, name: str) -> RecordTable:
@@ -277,6 +292,8 @@ def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time
             name = given.names[choice.places[column]]
             since_1970 = "" if time or suffix(name) else since(columns[column])
             notes += [f"{name!r}: {since_1970} since 1970"] if since_1970 else []
+            if not (time or since_1970 or choice.places[column] in given.stamped) and is_unsaid(name, columns[column]):
+                notes.append("times without a unit: read as s")
             size = seconds(name, given.name, time or since_1970)
             columns[column] = columns[column] * size
             clock = next(name for name, known in SECONDS.items() if known == size)
@@ -286,9 +303,11 @@ def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time
     if "a" in columns and suffix(measured[0]) == "g":
         columns["a"] = columns["a"] * GRAVITY
         notes.append(f"1 g taken as {GRAVITY} m/s^2")
-    found = unit_of(measured, unit, given.name)
+    found, written = unit_of(measured, unit, given.name), ""
     for name in measured[:1]:
         other = standard(suffix(name))
         if other and not found:
             notes.append(f"the unit {other!r} of {name!r} is none of {', '.join(UNITS)}: strengths refer to 1 {other}")
-    return replace(table, columns=columns, unit=found, notes=tuple(notes), clock=clock)
+            # What a velocity or an acceleration is written in is not the unit of x.
+            written = "" if "v" in columns or "a" in columns else other
+    return replace(table, columns=columns, unit=found, notes=tuple(notes), clock=clock, written=written)

@@ -110,7 +110,7 @@ def seconds(column: str, name: str, said: str = "") -> float:
     named = suffix(column)
     after = re.fullmatch(r".*_([a-z]{2,})", column)
     # t_ms is a unit, t_raw a word: an ending that is no unit of time and no such word is refused, not taken as seconds.
-    if not named and after and after[1] not in ("n", "time", "t", "raw", "elapsed", "stamp"):
+    if not named and after and after[1] not in ("n", "time", "t", "raw", "elapsed", "stamp", "value"):
         named = after[1]
     if named and named not in SECONDS:
         reason = f"{name}, row 1, column {column}: {named[:20]!r} is no unit of time"
@@ -118,6 +118,17 @@ def seconds(column: str, name: str, said: str = "") -> float:
     if said and named and SECONDS[said] != SECONDS[named]:
         raise InputError("unit", f"{said} contradicts the column {column} of {name}", named)
     return SECONDS.get(said or named, 1.0)
+
+
+def is_unsaid(column: str, times: Array) -> bool:
+    """Whether neither the name of a column of times says its unit nor the size of its values: seconds since 1970.
+
+    >>> [is_unsaid(c, np.array([0.0, 20.0])) for c in ("t", "time", "t (s)", "t_ms", "seconds_elapsed")]
+    [True, True, False, False, False]
+    """
+    named = suffix(column) or re.search(r"second|sekund|_(?:s|sec|ms|us|ns|min|h)\Z", column, re.IGNORECASE)
+    known = times[np.isfinite(times)]
+    return not named and not (len(known) > 0 and float(known.min()) > 1e9)
 
 
 def since(times: Array) -> str:

@@ -1,9 +1,11 @@
 """Records of the kinds that public repositories hold, made here: what a careful experimenter reads off is answered."""
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
 import asymptotics as asy
+from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.table import read_table
 from asymptotics.errors import InputError
 
@@ -57,3 +59,52 @@ def test_amplitudes_without_a_name_are_asked_for():
     assert answer.law("1").law.epsilon[0].estimate == pytest.approx(2 * 1.4167 / 75 / (2 * np.pi), rel=0.03)
     # Near miss: a swing on a drift is a record.
     assert read_table({"t": t, "y": size + 0.03 * np.cos(t)}).kind == "record"
+
+
+def test_two_periods_and_rest_have_their_envelope_before_any_law():
+    """Failed before: three turning points between release and rest had no period, no Q and no half-life."""
+    t = np.arange(0, 2.02, 0.01)
+    swing = 50 * np.exp(-2.9 * (t + 0.06)) * np.cos(18.4 * (t - 0.13))
+    x = 4 * np.round(swing / 4)  # steps of a sensor, in which the motion ends after one and a half periods
+    answer = asy.identify({"t": t, "x": x}, laws=["1"], bootstrap=False)
+    assert answer.runs[0].inside.sum() < 5
+    told = answer.to_dict()["envelope"]
+    low, high = (float(told["period"][k]) for k in ("low", "high"))
+    assert low <= 2 * np.pi / 18.4 <= high < 1.15 * low
+    for row in told["quality"]:
+        assert float(row["low"]) <= 18.4 / 2 / 2.9 <= float(row["high"] or np.inf)
+    assert float(told["half_life"]["low"]) <= np.log(2) / 2.9 <= float(told["half_life"]["high"] or np.inf)
+    assert any("envelope, before any law: period 0.3" in line for line in answer.lines)
+
+
+def test_times_without_a_unit_are_said_to_be_read_as_seconds():
+    """Failed before: frames of a video were told as seconds in silence."""
+    said = "times without a unit: read as s"
+    frames, swing = np.arange(0, 600, 10.0), 89 * np.exp(-np.arange(60) / 30) * np.cos(np.arange(60))
+    for name, unit in (("t", ""), ("time", ""), ("x_value", "deg")):
+        assert read_table({name: frames, "x": swing}, unit=unit).notes.count(said) == 1
+    for name, unit in (("t (s)", ""), ("t_ms", ""), ("seconds_elapsed", ""), ("t", "ms")):
+        assert said not in read_table({name: frames, "x": swing}, unit=unit).notes
+    stamps = [f"12:{i // 60:02d}:{i % 60:02d}" for i in range(60)]
+    assert said not in read_table({"time": stamps, "x": swing}).notes
+    assert said not in read_table({"x (deg)": swing}, how=How(rate=5.0)).notes
+    size = 89 * 0.9 ** np.arange(20)
+    assert said not in read_table({"n": np.arange(20), "x": size}).notes
+
+
+def test_the_unit_that_a_file_writes_stays_on_numbers_and_axes():
+    """Failed before: volts of a sensor stood as "unit of x" in b/m, and as nothing on the axes."""
+    t = np.arange(0, 40, 0.05)
+    x = 0.075 * np.exp(-0.03 * t) * np.cos(2 * t) + 1e-4 * np.random.default_rng(2).standard_normal(len(t))
+    answer = asy.identify({"t (s)": t, "x (V)": x}, laws=["2", "1"], bootstrap=False)
+    assert answer.law("2").beside(0)[2] == "1/V" and answer.to_dict()["unit"] == "V"
+    assert all(word in "\n".join(answer.lines) for word in ("at 0.07", " V,"))
+    figure = answer.plot().figure
+    named = [axes.get_xlabel() + axes.get_ylabel() for axes in figure.axes]
+    assert named[0] == "t (s)x (V)" and sum("(V)" in name for name in named) == 3
+    plt.close(figure)
+    # Near misses: an unknown unit of a velocity is not that of x, and a level is a logarithm.
+    assert read_table({"t (s)": t, "v (V)": x}, kind="velocity").written == ""
+    assert read_table({"t (s)": t, "p (dBm)": -30 - 0.4 * t}).written == ""
+    with pytest.raises(InputError, match="different units: V, mV"):
+        asy.identify([{"t (s)": t, f"x ({unit})": x} for unit in ("V", "mV")], laws=["1"], bootstrap=False)

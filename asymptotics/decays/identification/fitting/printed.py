@@ -27,7 +27,8 @@ from asymptotics.numbers.alike import Alike
 
 @dataclass(frozen=True, eq=False)
 class Decrements(Alike):
-    """Mean amplitudes and decrements of half-swings; ``resolution``: half a unit of the last printed digit."""
+    """Mean amplitudes and decrements of half-swings; ``resolution``: half a unit of the last printed digit;
+    ``written``: the unit of the file where it is none of those that are known, such as V."""
 
     amplitude: Array
     decrement: Array
@@ -35,6 +36,12 @@ class Decrements(Alike):
     unit: str = ""
     name: str = ""
     notes: tuple[str, ...] = ()
+    written: str = ""
+
+    @property
+    def shown_unit(self) -> str:
+        """The unit of x as it is told: one that is known, or the one that the file writes."""
+        return self.unit or self.written
 
     @property
     def reference(self) -> float:

@@ -48,7 +48,8 @@ class Observations(Alike):
     ``time_unit``: that of the file, in which a period is told (empty: s), while ``t`` is in s; ``stride``: how many
     true half-swings one n of an envelope counts (0 where nobody says), and ``spacing`` the time between two
     (``ringdown``); ``window``: that of the local fits which found the turning times, and find them late (None: measured
-    otherwise); ``record``: the samples in which they were found, about the base line, for the picture alone.
+    otherwise); ``record``: the samples in which they were found, about the base line, for the picture alone;
+    ``written``: the unit of the file where it is none of those that are known, such as V.
     """
 
     n: Indices
@@ -69,6 +70,7 @@ class Observations(Alike):
     spacing: float | None = None
     window: Window | None = None
     record: tuple[Array, Array] | None = None
+    written: str = ""
 
     @classmethod
     def of(
@@ -193,7 +195,15 @@ class Observations(Alike):
             name=self.name,
             notes=(*self.notes, f"{len(chosen)} turning points with amplitudes from {low:.4g} to {high:.4g}"),
         )
-        return replace(found, stride=self.stride, spacing=self.spacing, window=self.window)
+        return replace(
+            found, stride=self.stride, spacing=self.spacing, window=self.window, time_unit=self.time_unit,
+            written=self.written,
+        )  # fmt: skip
+
+    @property
+    def shown_unit(self) -> str:
+        """The unit of x as it is told: one that is known, or the one that the file writes."""
+        return self.unit or self.written
 
     def without_times(self) -> "Observations":
         """The amplitudes alone."""

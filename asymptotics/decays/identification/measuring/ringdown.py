@@ -21,6 +21,8 @@ from asymptotics.errors import InputError
 _LEAST, _COUNTED, _UNEVEN, _SIGMAS = 5, 1000, 0.01, 4.0
 """Rows of an envelope; the number of artificial half-swings at least; and how uneven a clock may be, as a share of its
 step, to count in steps; and how many errors below the largest an amplitude may be it."""
+_FOLLOWING = 8
+"""Rows behind the largest ones by which it is told whether those fall already."""
 _FINE = 20_000
 """Artificial half-swings of an uneven clock."""
 
@@ -55,15 +57,30 @@ def observations_of_envelope(
 
 def _falling(x: Array) -> int:
     """The row at which the decay begins: behind the last that noise may have taken for the largest, for a drive holds
-    the amplitude before it stops."""
+    the amplitude before it stops; the first of them, if they fall already as those that follow."""
     alive = np.maximum(x, 1e-300)
     level = np.log(alive)
     if len(x) < _LEAST or not (x > 0).any():
         return 0
     # Second differences of a smooth line are small; those of noise have six times its variance.
     noise = float(np.median(np.abs(np.diff(level, 2)))) / (0.6745 * 6**0.5)
-    last = int(np.flatnonzero(level >= level.max() - _SIGMAS * noise)[-1])
-    return last + 1 if last else 0
+    top = np.flatnonzero(level >= level.max() - _SIGMAS * noise)
+    first, last = int(top[0]), int(top[-1])
+    if last == 0 or _falls_already(level, first, last):
+        return first
+    return last + 1
+
+
+def _falls_already(level: Array, first: int, last: int) -> bool:
+    """Whether the rows lie on the line through as many that follow (eight at least), nearer than if they were held."""
+    rows = np.arange(last + 1, min(last + 1 + max(last + 1 - first, _FOLLOWING), len(level)))
+    if first == last or len(rows) < _LEAST:
+        return False
+    slope, start = np.polyfit(rows, level[rows], 1)
+    before = np.arange(first, last + 1)
+    lacking = float((start + slope * before - level[before]).mean())
+    # Held rows lack half of what the line falls by on them, on average; falling ones nothing: half of that divides.
+    return bool(slope < 0 and lacking < -slope * (last - first) / 4)
 
 
 def _counted(t: Array) -> tuple[Indices, float]:

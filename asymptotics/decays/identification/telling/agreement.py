@@ -53,7 +53,7 @@ def agreed(laws: Sequence[Judged], units: RecordUnits) -> Agreement | None:
     finite = all(isfinite(life) for life in lives)
     names = tuple(str(law.candidate) for law in laws)
     unit = "s" if all(omegas) else "swings"
-    return Agreement(names, units.unit, tuple(rows), (min(lives), max(lives)) if finite else None, unit)
+    return Agreement(names, units.shown, tuple(rows), (min(lives), max(lives)) if finite else None, unit)
 
 
 def _span(low: float, high: float) -> str:

@@ -3,7 +3,8 @@
 In a half-swing ln A falls by a sum of powers of A (from 1/A to A^3; which of them, by AICc), and Q = pi/2 over this
 fall, at the first amplitude, the last and the geometric mean of both, with 95 % intervals of the regression.  No law of
 motion enters, and no spring: it is told for every record that swings, whatever the verdict is.  The intervals are those
-of all choices of powers whose AICc is near that of the best.
+of all choices of powers whose AICc is near that of the best.  Of four turning points and fewer the samples tell more: a
+damped cosine is fitted to them (``damped_cosine``); where there are none, one power at a time.
 
 >>> n = np.arange(30)
 >>> found = envelope(Observations.of(n, (-1.0) ** n * np.exp(-0.05 * n), 0.5 * n))
@@ -20,11 +21,13 @@ from math import inf, log, pi
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.special import stdtrit
 
 from asymptotics.decays.identification.fitting.starting import rest_position
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc, memory_factor
+from asymptotics.decays.identification.measuring.damped_cosine import damped_cosine
 from asymptotics.decays.identification.measuring.observations import Indices, Observations
 from asymptotics.decays.identification.telling.backbone import backbone, period_at
 from asymptotics.decays.records.units import SECONDS
@@ -34,8 +37,12 @@ Decline = Callable[[float], Ends]
 _INVERTED = {"low": "high", "estimate": "estimate", "high": "low"}
 _POWERS, _TERMS, _LEAST, _GRID, _NEAR = (-1, 0, 1, 2, 3), 3, 5, 101, 4.0
 """Of A, in the fall of ln A: those by the losses of exponents 0 to 3, and of a loss in v^2 beside a pendulum; how many
-together; turning points below which there is no error; places between an amplitude and half of it; and the AICc above
-the best up to which a choice of powers is believed too."""
+together; turning points below which there is one power alone; places between an amplitude and half of it; and the AICc
+above the best up to which a choice of powers is believed too."""
+_FEWEST, _ENDED, _REST = 4, 1e-3, 1.5
+"""Turning points that leave one more than a loss and the rest position have numbers; the share of the first amplitude
+at which a decay of few swings ends; and how many times longer than the others the half-swing is in which it comes to
+rest."""
 
 
 @dataclass(frozen=True)
@@ -107,12 +114,13 @@ class MeasuredEnvelope:
 
 
 def envelope(seen: Observations) -> MeasuredEnvelope | None:
-    """From the turning points of a run; None where they are too few, or some are 0."""
+    """From the turning points of a run before one is 0, and from its samples where they are few; None without both."""
     size = np.abs(seen.x - (rest_position(seen) if seen.samples is None else 0.0))
-    inside = seen.inside
+    inside = seen.inside & (np.cumsum(size <= 0) == 0)
     n, size = seen.n[inside], size[inside]
-    if len(n) < _LEAST or not (size > 0).all():
-        return None
+    found = _by_samples(seen) if len(n) < _LEAST else None
+    if found is not None or len(n) < _FEWEST:
+        return found
     scatter = float(np.mean(seen.sigma_x[inside])) if len(seen.sigma_x) else 0.0
     # The errors of a level are proportional to it; those of a place are alike.
     alike = 1.0 if seen.spacing is None or not len(seen.sigma_x) else seen.sigma_x[inside] / seen.sigma_x[0]
@@ -128,32 +136,81 @@ def envelope(seen: Observations) -> MeasuredEnvelope | None:
         step = 2 * seen.spacing
         period = None if unknown else dict.fromkeys(("low", "estimate", "high"), step / seen.stride)
     time = seen.time_unit or "s"
-    rows, lasts = _backbone(seen, n, size, time), _lasts(seen, n, size, step)
+    rows, lasts = _backbone(seen, inside, size, time), _lasts(seen, inside, size, step)
     life = None if lasts is None else _half_life(decline, size, lasts)
     period, life = (v and {k: e / SECONDS[time] for k, e in v.items()} for v in (period, life))
     by = () if lasts is None else [lasts(float(a)) / SECONDS[time] for a in ends]
     rates = tuple(_rate(float(a), decline(float(a)), half) for a, half in zip(ends, by))
     untold = "nobody says how fast it swings (--omega0)" if unknown else ""
-    return MeasuredEnvelope(period, quality, life, seen.unit, time, rows, rates, untold)
+    return MeasuredEnvelope(period, quality, life, seen.shown_unit, time, rows, rates, untold)
 
 
-def _backbone(seen: Observations, n: Indices, size: Array, time: str) -> tuple[Ends, ...]:
+def why_none(seen: Observations) -> str:
+    """Why a run has no envelope, in words."""
+    what = "no damped cosine fits its samples" if _sampled(seen) is not None else "it has no samples"
+    return f"no envelope: fewer than {_FEWEST} turning points other than 0, and {what}"
+
+
+def _sampled(seen: Observations) -> tuple[Array, Array, int] | None:
+    """Times and values of the samples of a run, and which derivative of the motion they are."""
+    if seen.samples is not None:
+        return seen.samples.t, seen.samples.x, seen.samples.derivative
+    return None if seen.record is None else (*seen.record, 0)
+
+
+def _by_samples(seen: Observations) -> MeasuredEnvelope | None:
+    """From a damped cosine through the samples; None where there are none, or it does not fit."""
+    sampled = _sampled(seen)
+    if sampled is None or len(seen.t) < 2:
+        return None
+    (t, x, derivative), last = sampled, _last_swing(seen.n, seen.t)
+    t, x = t[t <= seen.t[last]], x[t <= seen.t[last]]
+    at = seen.t[: last + 1][seen.inside[: last + 1]]
+    rate = -float(np.polyfit(seen.t[: last + 1], np.log(np.maximum(np.abs(seen.x[: last + 1]), 1e-300)), 1)[0])
+    omega = np.pi * float((seen.n[last] - seen.n[0]) / (seen.t[last] - seen.t[0]))
+    line = damped_cosine(t, x, omega, rate, derivative)
+    if line is None:
+        return None
+    size = line.size(at if len(at) > 1 else t[[0, -1]])
+    size = size[size > _ENDED * size[0]]
+    time = seen.time_unit or "s"
+    period = {k: v / SECONDS[time] if v > 0 else inf for k, v in _inverse(line.omega, 2 * pi).items()}
+    ends = [float(a) for a in (size[0], np.sqrt(size[0] * size[-1]), size[-1])]
+    quality = tuple(_quality(a, line.fall(a), 1.0) for a in ends)
+    half = period["estimate"] / 2
+    rates = tuple(_rate(a, line.fall(a), half) for a in ends)
+    life = _half_life(line.fall, size, lambda _: half)
+    return MeasuredEnvelope(period, quality, life, seen.shown_unit, time, (), rates)
+
+
+def _last_swing(n: Indices, t: Array) -> int:
+    """The last turning point before the first half-swing that lasts half as long again as the shorter ones do: what
+    follows is no swing, but rest."""
+    half = np.diff(t) / np.diff(n)
+    usual = float(np.median(np.sort(half)[: (len(half) + 1) // 2]))
+    long = np.flatnonzero(half > _REST * usual)
+    return int(long[0]) if len(long) and long[0] > 0 else len(t) - 1
+
+
+def _backbone(seen: Observations, inside: NDArray[np.bool_], size: Array, time: str) -> tuple[Ends, ...]:
     """T(A) in the file's unit of time, where there are turning times."""
     if not seen.has_times:
         return ()
-    error = float(np.mean(seen.sigma_t[seen.inside])) if len(seen.sigma_t) else 0.0
-    rows = backbone(n, size, seen.t[seen.inside], error)
+    error = float(np.mean(seen.sigma_t[inside])) if len(seen.sigma_t) else 0.0
+    rows = backbone(seen.n[inside], size, seen.t[inside], error)
     return tuple({k: v if k == "amplitude" else v / SECONDS[time] for k, v in row.items()} for row in rows)
 
 
-def _lasts(seen: Observations, n: Indices, size: Array, step: float | None) -> Callable[[float], float] | None:
+def _lasts(
+    seen: Observations, inside: NDArray[np.bool_], size: Array, step: float | None
+) -> Callable[[float], float] | None:
     """The time of a half-swing, in which the fall of ln A is told, at an amplitude: of a pendulum it is none for all.
 
     ``step``: the mean period, or that of an artificial clock.
     """
     if step is None:
         return None
-    found = period_at(n, size, seen.t[seen.inside], 0.0) if seen.has_times and seen.spacing is None else None
+    found = period_at(seen.n[inside], size, seen.t[inside], 0.0) if seen.has_times and seen.spacing is None else None
     return (lambda _: step / 2) if found is None else (lambda amplitude: found(amplitude)["estimate"] / 2)
 
 
@@ -163,16 +220,20 @@ def _decline(n: Indices, size: Array, stated: float, error: Array | float) -> De
     # The geometric mean is the amplitude in the middle of a half-swing; sums forgive noise where differences would not.
     middle = np.sqrt(size[1:] * size[:-1]) / size[0]
     sums = {k: -np.concatenate([[0.0], np.cumsum(gap * middle**k)]) for k in _POWERS}
-    sets = [c for count in range(1, _TERMS + 1) for c in combinations(_POWERS, count)]
+    # Of a few points all choices of one power have as many numbers: their sums of squares alone compare them.
+    few = len(n) < _LEAST
+    sets = [c for count in range(1, (1 if few else _TERMS) + 1) for c in combinations(_POWERS, count)]
     weight = size / size[0] / error  # where the errors of the amplitudes are alike, those of their logarithms are not
     found = []
     for powers in sets:
         V = np.stack([np.ones(len(size)), *(sums[k] for k in powers)], axis=1) * weight[:, None]
         y = weight * np.log(size)
-        c, freedom = np.linalg.lstsq(V, y, rcond=None)[0], len(size) - V.shape[1]
+        # The rest position was taken from them too, which counts where they are few.
+        c, freedom = np.linalg.lstsq(V, y, rcond=None)[0], max(len(size) - V.shape[1] - few, 1)
         left = y - V @ c
         rss = max(float((left**2).sum()), 1e-24)
-        value = aicc(len(y) * log(rss / len(y)), V.shape[1] + 1, len(y))
+        deviance = len(y) * log(rss / len(y))
+        value = deviance if few else aicc(deviance, V.shape[1] + 1, len(y))
         if np.isfinite(value):
             # What is told of the amplitudes elsewhere counts where it is more than the scatter, as for a smooth line.
             noise = max(rss / freedom, (stated / size[0]) ** 2) * memory_factor(left)
@@ -223,8 +284,8 @@ def _rate(amplitude: float, fall: Ends, half_swing: float) -> Ends:
 
 def _period(n: Indices, t: Array) -> Ends:
     """Twice the slope of the turning times; its chirp widens the interval."""
-    line, deviation = np.polyfit(n, t, 1, cov=True) if len(n) > 4 else (np.polyfit(n, t, 1), np.zeros((2, 2)))
-    reach = 2 * float(np.sqrt(deviation[0, 0])) * float(stdtrit(max(len(n) - 2, 1), 0.975))
+    line, deviation = np.polyfit(n, t, 1, cov=True)
+    reach = 2 * float(np.sqrt(deviation[0, 0])) * float(stdtrit(len(n) - 2, 0.975))
     middle = 2 * float(line[0])
     return {"low": middle - reach, "estimate": middle, "high": middle + reach}
 

@@ -118,7 +118,7 @@ def _textbook(answer: Identification) -> str:
 
 
 def _told(run: Observations | Decrements) -> tuple[str, str]:
-    name, unit = run.name or "the data", f" {run.unit}" if run.unit else ""
+    name, unit = run.name or "the data", f" {run.shown_unit}" if run.shown_unit else ""
     if isinstance(run, Decrements):
         ends = f"{run.amplitude.max():.4g} to {run.amplitude.min():.4g}{unit}"
         return name, f"{len(run.decrement)} decrements, mean amplitudes from {ends}"

@@ -94,7 +94,7 @@ class LawAnswer(Alike, Rows):
     @property
     def lines(self) -> tuple[str, ...]:
         """The law in words, its equation, and of each loss b or b/m and its share, and Q: lines of text."""
-        law, unit = self.law, self.units.unit
+        law, unit = self.law, self.units.shown
         found = [f"{law.candidate}: {law_in_words(law)}; {law.candidate.formula()}"]
         parts = shares_in_words(law, unit)
         for i, name in enumerate(law.candidate.alphas[: len(law.epsilon)]):

@@ -53,12 +53,12 @@ def draw_panels(answer: Any, axes: Any) -> None:
     classical, residuals, profile = (figure.add_subplot(grid[k]) for k in ((0, 1), (1, 0), wide))
     said = [line for text in (answer.verdict.text, answer.quality_in_words) for line in wrap(text, 110)]
     figure.suptitle("\n".join(said), fontsize=11)
-    _decay(axes, shown[0], answer.units.unit)
-    draw_decrements(classical, shown, answer.units.unit)
+    _decay(axes, shown[0], answer.units.shown)
+    draw_decrements(classical, shown, answer.units.shown)
     _residuals(residuals, shown[0])
     _profile(profile, shown[0])
     if timed:
-        draw_backbone(figure.add_subplot(grid[0, 2]), shown, answer.units.unit)
+        draw_backbone(figure.add_subplot(grid[0, 2]), shown, answer.units.shown)
 
 
 def _fit_of(law: Judged) -> Fit:

@@ -8,13 +8,20 @@ from asymptotics.numbers.quantities import ANGLES, LENGTHS
 
 @dataclass(frozen=True)
 class RecordUnits:
-    """What is known of the oscillator beside the record: mass, stiffness, omega_0 (SI), and the unit of x in SI."""
+    """What is known of the oscillator beside the record: mass, stiffness, omega_0 (SI), and the unit of x in SI;
+    ``written``: as the file has it, which may be none of those that are known, such as V."""
 
     unit: str = ""
     size: float = 1.0
     mass: float | None = None
     stiffness: float | None = None
     omega_0: float | None = None
+    written: str = ""
+
+    @property
+    def shown(self) -> str:
+        """The unit of x as it is told: one that is known, or the one that the file writes."""
+        return self.unit or self.written
 
     def physical(self, alpha: float, position: int, epsilon: Interval) -> tuple[str, Interval] | None:
         """(name, interval) of b or b/m in SI: b/m = epsilon omega_0^(2-alpha) (unit of x)^(1-alpha-m)."""
@@ -33,8 +40,13 @@ class RecordUnits:
         """(name, interval, unit) of b or b/m as far as the units are known: where that of x is none, in units of x."""
         known = self if self.unit else replace(self, unit="m")
         found = known.physical(alpha, position, epsilon)
-        length = "rad" if self.unit in ANGLES else "m" if self.unit in LENGTHS else "(unit of x)"
+        length = "rad" if self.unit in ANGLES else "m" if self.unit in LENGTHS else _word(self.written)
         return None if found is None else (*found, unit_of_strength(alpha, position, length, self.mass is not None))
+
+
+def _word(written: str) -> str:
+    """A unit of the file as a factor of another one; that of x where there is none."""
+    return written if written.isalpha() else f"({written or 'unit of x'})"
 
 
 def unit_of_strength(alpha: float, position: int, length: str, mass: bool) -> str:

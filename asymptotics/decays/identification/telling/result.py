@@ -10,7 +10,7 @@ from asymptotics.decays.identification.judging.judgement import rivals
 from asymptotics.decays.identification.judging.laws import Judged
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.telling.agreement import agreed
-from asymptotics.decays.identification.telling.envelope import MeasuredEnvelope, envelope
+from asymptotics.decays.identification.telling.envelope import MeasuredEnvelope, envelope, why_none
 from asymptotics.decays.identification.telling.equivalents import equivalent
 from asymptotics.decays.identification.telling.in_words import in_words
 from asymptotics.decays.identification.telling.law_answer import LETTERS, LawAnswer, number_text
@@ -55,7 +55,7 @@ class Identification(Alike, Rows, Drawn):
     @property
     def in_words(self) -> str:
         """Q at both ends of the record and the half-life, of the first law; empty for tables and several runs."""
-        return in_words(self._equivalent(), self.units.unit)
+        return in_words(self._equivalent(), self.units.shown)
 
     @property
     def lines(self) -> tuple[str, ...]:
@@ -77,8 +77,9 @@ class Identification(Alike, Rows, Drawn):
         """What the envelope says, of each of the first runs."""
         if len(self.per_run) > 1:
             return [f"{one.runs[0].name}: {line}" for one in self.per_run[:MANY] for line in one._bare_lines()]
-        bare = self._bare()
-        return [] if bare is None else [bare.told()]
+        bare, run = self._bare(), self.runs[0]
+        untold = [why_none(run)] if isinstance(run, Observations) else []
+        return untold if bare is None else [bare.told()]
 
     def _equivalent(self) -> dict[str, Any] | None:
         return None if self.per_run or not self.laws else equivalent(self.best.law, self.units.omega_0)
@@ -124,7 +125,7 @@ class Identification(Alike, Rows, Drawn):
             "untried": [str(law.law.candidate) for law in self.laws if law.law.untried],
             "data": [_data(run) for run in self.runs],
             "textbook": self.textbook,
-            "unit": self.units.unit or None,
+            "unit": self.units.shown or None,
             "omega_0": None if self.units.omega_0 is None else number_text(self.units.omega_0),
             "notes": list(self.notes),
         }
@@ -161,7 +162,7 @@ class Identification(Alike, Rows, Drawn):
         if panels:
             draw_panels(self, axes)
         else:
-            draw_decrements(axes, shown_laws(self), self.units.unit)
+            draw_decrements(axes, shown_laws(self), self.units.shown)
         return panels
 
     def _formula(self) -> str:

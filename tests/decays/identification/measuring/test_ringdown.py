@@ -127,3 +127,22 @@ def test_uneven_times_and_amplitudes_that_end_at_zero():
     data["amplitude"] = np.maximum(3 - 0.1 * t, 0)
     (seen,) = load(data, "envelope", omega_0=1e4)
     assert seen.n[-1] * seen.spacing < 30 and any("0 or below, left out" in note for note in seen.notes)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_amplitudes_that_fall_from_the_first_row_on_are_all_used(seed):
+    """Failed before: of amplitudes read off a scale the first were left out, "before the amplitude falls"."""
+    t = 1.4167 * np.arange(99)
+    read = 0.00873 * np.round(
+        (0.585 * np.exp(-t / 45) + 0.003 * np.random.default_rng(seed).standard_normal(99)) / 0.00873
+    )
+    run = load({"t": t, "amplitude (rad)": read}, kind="envelope", omega_0=2 * np.pi / 1.4167)[0]
+    assert not any("before the amplitude falls" in note for note in run.notes)
+    assert run.x[0] == pytest.approx(read[0])
+    # Near miss: a drive holds the first ten.
+    held = np.concatenate(
+        [np.full(10, read[0]) + 0.003 * np.random.default_rng(seed + 9).standard_normal(10), read[1:]]
+    )
+    run = load({"t": 1.4167 * np.arange(len(held)), "amplitude (rad)": held}, kind="envelope", omega_0=4.4)[0]
+    left = [note for note in run.notes if "before the amplitude falls" in note]
+    assert left and 8 <= int(left[0].split()[2]) <= 14

@@ -104,7 +104,8 @@ def test_the_page_and_the_formula_of_an_answer(words):
     found = answer(law_answer("1+2", epsilon=(SURE, SURE)), law_answer())
     page = found._page()
     assert page.title == "identified: 1" and page.lines == (*found.lines, "more swings", "a note")
-    assert found.lines == ("words of 1",)  # the law of the verdict: 1+2 contains it
+    untold = "no envelope: fewer than 4 turning points other than 0, and it has no samples"
+    assert found.lines == ("words of 1", untold)  # the law of the verdict: 1+2 contains it
     assert page.head == ("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]")
     assert page.rows == tuple(one.row() for one in found.laws)
     assert found._heading() == "identified: 1" and repr(found) == "Identification(identified: 1)"

@@ -266,7 +266,7 @@ def answer(*laws, per_run=(), chosen=()):
         quality_in_words="Q = 3 at 1",
         per_run=per_run,
         verdict=SimpleNamespace(text=said),
-        units=SimpleNamespace(unit="mm"),
+        units=SimpleNamespace(unit="mm", shown="mm"),
     )
 
 
