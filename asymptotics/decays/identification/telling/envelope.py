@@ -31,6 +31,7 @@ from asymptotics.decays.identification.measuring.damped_cosine import damped_cos
 from asymptotics.decays.identification.measuring.observations import Indices, Observations
 from asymptotics.decays.identification.telling.backbone import backbone, period_at
 from asymptotics.decays.records.units import SECONDS
+from asymptotics.numbers.quantities import ANGLES
 
 Ends = dict[str, float]
 Decline = Callable[[float], Ends]
@@ -89,7 +90,10 @@ class MeasuredEnvelope:
         shown = self.backbone[:: len(self.backbone) - 1] if self.chirps else ()
         ends = [f"{_span(row, 5)} at {row['amplitude']:.3g} {self.unit}".rstrip() for row in shown]
         chirp = f"T = {', '.join(ends)}" if ends else ""
-        quality = f"Q = {', '.join(each)}"
+        # Where the period depends on the amplitude, as of a pendulum, the two differ, and a law says the other one.
+        apart = self.chirps or self.unit in ANGLES
+        meant = " (pi over the decrement; of a law it is 2 pi of the energy over its loss)" if apart else ""
+        quality = f"Q = {', '.join(each)}{meant}"
         if self.untold:
             quality = f"rate of decay {', '.join(self._each(self.decay_rate))} 1/{self.time}; no Q: {self.untold}"
         parts = (period, chirp, quality, life)
