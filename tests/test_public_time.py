@@ -27,7 +27,8 @@ QUICK = {  # public methods without a time, and why it is bounded by what they a
     "what is known, as text or data": {
         "to_dict", "to_json", "to_text", "to_csv", "to_csv_file", "to_latex", "to_parquet", "latex", "latex_shape",
         "to_dataframe", "save", "shape",
-        "told", "text", "keyed", "named", "get", "keys", "items", "values", "with_notes", "rounded_to_error",
+        "grade_in_words", "in_words", "text", "keyed", "named", "get", "keys", "items", "values", "with_notes",
+        "rounded_to_error",
         "header", "table", "definitions", "shown_waves", "with_start_strength", "named_columns",
     },
     "hands its time on to what checks": {"check"},

@@ -62,7 +62,7 @@ STRENGTHS = ("law", "grade", "alpha", "low", "strength", "high")
 
 def rows_of_strengths(found: DampingLaw) -> list[tuple[Any, ...]]:
     """A row for each strength of each law."""
-    rows = [(c.name, c.told(), s.alpha, s.low, s.estimate, s.high) for c in found.laws for s in c.strengths]
+    rows = [(c.name, c.grade_in_words(), s.alpha, s.low, s.estimate, s.high) for c in found.laws for s in c.strengths]
     # No interval is an empty cell.
     return [tuple("" if cell != cell else cell for cell in row) for row in rows]
 

@@ -51,7 +51,7 @@ class DampingLaw(Rows):
     def verdict(self) -> str:
         """The law, how good it is, its strengths, and what the table cannot tell."""
         best = self.best
-        head = f"{_words(best)}: {best.told()}"
+        head = f"{_words(best)}: {best.grade_in_words()}"
         if best.grade == "refuted":
             head = f"no candidate fits; nearest is {_words(best)}, whose damping is {off(best.left)} (root mean square)"
         parts = [head, ", ".join(self._shown(s) for s in best.strengths)]
@@ -78,7 +78,8 @@ class DampingLaw(Rows):
         """JSON-ready: numbers are strings."""
         laws = [
             {
-                "law": c.name, "grade": c.grade, "told": c.told(), "left": f"{c.left:.4g}", "p_value": f"{c.p:.4g}",
+                "law": c.name, "grade": c.grade, "told": c.grade_in_words(), "left": f"{c.left:.4g}",
+                "p_value": f"{c.p:.4g}",
                 "chi_squared": f"{c.chi_squared:.6g}", "criterion": f"{c.criterion:.6g}", "unneeded": list(c.unneeded),
                 "strengths": [
                     {"alpha": s.alpha, "low": _end(s.low), "estimate": repr(s.estimate), "high": _end(s.high)}
@@ -96,7 +97,8 @@ class DampingLaw(Rows):
 
     def __str__(self) -> str:
         lines = [
-            f"{c.name:8} {c.told():32} {', '.join(self._shown(s) for s in c.strengths)}".rstrip() for c in self.laws
+            f"{c.name:8} {c.grade_in_words():32} {', '.join(self._shown(s) for s in c.strengths)}".rstrip()
+            for c in self.laws
         ]
         return "\n".join([self.verdict, *lines, *self._worth()])
 
@@ -109,7 +111,7 @@ class DampingLaw(Rows):
         return [told, *self.notes]
 
     def _page(self) -> Page:
-        rows = tuple((c.name, c.told(), ", ".join(self._shown(s) for s in c.strengths)) for c in self.laws)
+        rows = tuple((c.name, c.grade_in_words(), ", ".join(self._shown(s) for s in c.strengths)) for c in self.laws)
         return Page(self.verdict, tuple(self._worth()), ("law", "grade", "strengths [95 %]"), rows)
 
     def _table(self) -> dict[str, list[Any]]:

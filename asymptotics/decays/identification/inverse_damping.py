@@ -106,14 +106,14 @@ class DampingCandidate(Shown):
         """The exponents whose strength may be 0."""
         return tuple(s.alpha for s in self.strengths if s.low == 0)
 
-    def told(self) -> str:
+    def grade_in_words(self) -> str:
         """The grade in words."""
         return in_words(self.grade, self.left)
 
     def _page(self) -> Page:
         worth = f"estimate; its damping is {off(self.left)}, p = {self.p:.2g}"
         rows = tuple((s.alpha, f"{s.estimate:.4g}", f"[{s.low:.4g}, {s.high:.4g}]") for s in self.strengths)
-        return Page(f"law {self.name}: {self.told()}", (worth,), ("exponent", "strength", "95 %"), rows)
+        return Page(f"law {self.name}: {self.grade_in_words()}", (worth,), ("exponent", "strength", "95 %"), rows)
 
 
 def as_zeta(quantity: str, values: Any, resolution: Any) -> tuple[Any, Any]:

@@ -103,8 +103,8 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
     beat = near_modes(t[swinging], x[swinging])
     if beat is not None:
         if modes == 1 and (beat.is_strong or len(parts) > 1 or len(parts[0]) < len(t)):
-            raise InputError("FILE", f"{rows.name} {beat.told}", "--modes 2, which fits both")
-        said = said if modes > 1 else (*said, f"the record {beat.told}: --modes 2 fits both")
+            raise InputError("FILE", f"{rows.name} {beat.in_words}", "--modes 2, which fits both")
+        said = said if modes > 1 else (*said, f"the record {beat.in_words}: --modes 2 fits both")
         parts = [np.arange(len(t))]
     for number, places in enumerate(parts, start=1):
         own, told = rows if len(places) == len(t) else rows.kept(places), said
@@ -152,7 +152,7 @@ def _decay(
         raise InputError("FILE", f"{rows.name}, column {'xva'[_order(run)]}: all values are {x[0]:g}", "a motion")
     slow = slow_base_line(t, x)
     if slow is not None:
-        x, notes = x - slow.values, (*notes, slow.told)
+        x, notes = x - slow.values, (*notes, slow.in_words)
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)
     if _order(run) == 0:

@@ -93,7 +93,7 @@ def test_a_law_a_little_off_is_adequate_and_says_by_how_much():
     zeta = table({1: 0.02}, 0, np.random.default_rng(0)) * (1 + 0.03 * np.sin(7 * A))
     (found,) = fitted(A.tolist(), zeta.tolist(), [1e-6] * len(A), Problem("zeta", (("1",),)))
     assert found.grade == "adequate" and 0.01 < found.left < 0.03
-    assert found.told() == f"adequate to {percent(found.left)} of the loss"
+    assert found.grade_in_words() == f"adequate to {percent(found.left)} of the loss"
 
 
 def test_quantities_are_one():

@@ -58,7 +58,7 @@ class NearModes:
         return self.share > _STRONG
 
     @property
-    def told(self) -> str:
+    def in_words(self) -> str:
         """What the record does."""
         first, second = self.omega
         return (

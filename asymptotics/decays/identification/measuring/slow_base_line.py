@@ -15,7 +15,7 @@ motion.  So it must be louder than that by far.
 >>> noise = 1e-3 * np.random.default_rng(0).standard_normal(len(t))
 >>> found = slow_base_line(t, pure + base + noise)
 >>> left = base - found.values
->>> bool(np.abs(left - np.polyval(np.polyfit(t, left, 1), t)).max() < 1e-3), found.told
+>>> bool(np.abs(left - np.polyval(np.polyfit(t, left, 1), t)).max() < 1e-3), found.in_words
 (True, 'the base line wanders by up to 0.02 beside its drift: measured and taken off')
 >>> slow_base_line(t, pure + noise) is None
 True
@@ -57,7 +57,7 @@ class SlowBaseLine:
     omega: float
 
     @property
-    def told(self) -> str:
+    def in_words(self) -> str:
         """Of what size it is."""
         size = float(np.abs(self.values).max())
         return f"the base line wanders by up to {size:.2g} beside its drift: measured and taken off"

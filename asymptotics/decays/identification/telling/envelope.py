@@ -82,7 +82,7 @@ class MeasuredEnvelope:
         first, last = (self.backbone[0], self.backbone[-1]) if self.backbone else ({}, {})
         return bool(first) and (first["high"] < last["low"] or last["high"] < first["low"])
 
-    def told(self) -> str:
+    def in_words(self) -> str:
         """One line: period, Q(A) and half-life with their intervals."""
         each = self._each(self.quality)
         times = {"period": self.period, "half-life": self.half_life}

@@ -79,7 +79,7 @@ class Identification(Alike, Rows, Drawn):
             return [f"{one.runs[0].name}: {line}" for one in self.per_run[:MANY] for line in one._bare_lines()]
         bare, run = self._bare(), self.runs[0]
         untold = [why_none(run)] if isinstance(run, Observations) else []
-        return untold if bare is None else [bare.told()]
+        return untold if bare is None else [bare.in_words()]
 
     def _equivalent(self) -> dict[str, Any] | None:
         return None if self.per_run or not self.laws else equivalent(self.best.law, self.units.omega_0)

@@ -29,7 +29,7 @@ def beside_a_line(x):
 def test_what_wanders_is_taken_off_and_told(base):
     found = slow_base_line(T, PURE + base + NOISE)
     assert beside_a_line(base - found.values) < 2e-3 < beside_a_line(base) / 5
-    assert "wanders" in found.told
+    assert "wanders" in found.in_words
 
 
 def remembering(rho, size, seed=0):

@@ -44,12 +44,12 @@ def test_a_pendulum_shows_it_and_a_linear_spring_does_not():
     n, size, t = decay(lambda a: 4 * ellipk(np.sin(0.6 * a) ** 2), 1)
     seen = Observations.of(n, np.where(n % 2, -size, size), t)
     found = envelope(seen)
-    assert found.chirps and "; T = 6.8" in found.told() and " at 1, 6.3" in found.told()
+    assert found.chirps and "; T = 6.8" in found.in_words() and " at 1, 6.3" in found.in_words()
     first = found.to_dict(False)["backbone"][0]
     assert float(first["omega"]["low"]) < 2 * np.pi / (4 * ellipk(np.sin(0.6) ** 2)) < float(first["omega"]["high"])
     n, size, t = decay(lambda a: 2 * np.pi + 0 * a, 1)
     plain = envelope(Observations.of(n, np.where(n % 2, -size, size), t))
-    assert not plain.chirps and "T = " not in plain.told() and len(plain.backbone) == 3
+    assert not plain.chirps and "T = " not in plain.in_words() and len(plain.backbone) == 3
     assert envelope(Observations.of(n, np.where(n % 2, -size, size))).backbone == ()
 
 
