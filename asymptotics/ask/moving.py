@@ -37,7 +37,7 @@ from asymptotics.terms_given import PENDULUM
 OVERLAY = "another law in the same picture, A:B or A:B+A:B; repeat it"
 PHYSICAL = ("damping", "mass", "stiffness")
 _WITH_UNITS = ("x0", "v0", "time")
-"""What has a unit beside one of those."""
+"""What has a unit beside one of those; so have the numbers of a list of amplitudes."""
 QUANTITIES = {
     "mass": ("M", "1", "the mass in kg"),
     "stiffness": ("K", "1", "the stiffness in N/m"),
@@ -77,20 +77,40 @@ def without_units(options: argparse.Namespace) -> argparse.Namespace:
 
     Done once, where words become options, so that headers of files and points of a sweep hold numbers.
     """
-    physical, springs = is_physical(options), getattr(options, "spring", None) or []
+    frame = {"physical": is_physical(options), "pendulum": PENDULUM in (getattr(options, "spring", None) or [])}
     for name in (*_WITH_UNITS, "mass", "stiffness"):
         text = getattr(options, name, None)
         if isinstance(text, str):
-            setattr(options, name, plain_number(text, name, physical=physical, pendulum=PENDULUM in springs))
+            setattr(options, name, plain_number(text, name, **frame))
+    if isinstance(getattr(options, "amplitudes", None), str):
+        _in_their_unit(options, frame)
     return options
+
+
+def _in_their_unit(options: argparse.Namespace, frame: dict[str, bool]) -> None:
+    """Amplitudes with units as plain ones, in the unit that all of them have (--unit), else in that of SI."""
+    listed = options.amplitudes
+    plain = plain_list(listed, "amplitudes", **frame)
+    if plain == listed:
+        return
+    if options.unit:
+        raise InputError("--unit", f"{shown(listed)} has units of its own", "amplitudes with a unit, or --unit")
+    parts = [part.strip() for part in listed.split(",")]
+    unit, *others = {unit_behind(part) for part in parts}
+    if others:
+        options.amplitudes = plain
+        return
+    options.amplitudes = ",".join(part.removesuffix(unit).strip() for part in parts)
+    options.unit = "deg" if unit == "\u00b0" else unit
 
 
 def plain_number(text: str, name: str, *, physical: bool, pendulum: bool) -> str:
     """A number typed at the option ``name``, without its unit; any text without one as it is."""
     place = "rad" if pendulum else "m" if physical else ""
-    unit = {"x0": place, "v0": f"{place}/s" if physical else "", "time": "s" if physical else ""}.get(name, "")
+    speed, second = (f"{place}/s", "s") if physical else ("", "")
+    unit = {"x0": place, "amplitudes": place, "v0": speed, "time": second}.get(name, "")
     known = unit_behind(text) if len(text) <= 100 else ""
-    if known and not unit and name in _WITH_UNITS:
+    if known and not unit and name in (*_WITH_UNITS, "amplitudes"):
         reason = f"{shown(text)} has the unit {known}, and a law alone has none: x0 is its unit of x, 1/omega_0 of t"
         raise InputError(f"--{name}", reason, "a plain number; or --mass, --stiffness or --damping with it: SI units")
     found = in_si(text, f"--{name}", unit) if known else None

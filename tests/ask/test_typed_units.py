@@ -113,3 +113,23 @@ def test_axes_with_a_comma_or_no_place_for_units_are_refused(options, said, caps
     law = ["--alpha=2", "--damping=1"] if "--mass=1" in options else ["--alpha=2", "--epsilon=1"]
     assert main(["sweep", "turning-points", *law, "--count=1", *options]) == 2
     assert said in (err := capsys.readouterr().err), err
+
+
+@pytest.mark.parametrize(("law", "with_units", "plain"), [
+    ("--damping 1/10 --mass 2", "20 cm,10 cm", "20,10 --unit cm"),
+    ("--damping 1/10 --mass 2", "20 cm,0.1 m", "1/5,1/10"),
+    ("--epsilon 1/10 --spring pendulum", "20 deg,40 deg", "20,40 --unit deg"),
+    ("--epsilon 1/10 --spring pendulum", "20\u00b0", "20 --unit deg"),
+])  # fmt: skip
+def test_amplitudes_with_a_unit_are_those_of_that_unit(capsys, law, with_units, plain):
+    asked = ["damping", "--alpha=2", *law.split(), "--digits=5", "--amplitudes"]
+    assert found(capsys, [*asked, with_units]) == found(capsys, [*asked, *plain.split()])
+
+
+@pytest.mark.parametrize(("law", "listed", "said"), [
+    ("--epsilon 1/10", "20 cm", "a law alone has none"), ("--damping 1/10", "20 cm,10", "some have a unit"),
+    ("--damping 1/10", "20 kg", "m is meant"), ("--damping 1/10 --unit cm", "20 cm", "units of its own"),
+])  # fmt: skip
+def test_amplitudes_whose_unit_has_no_place_are_refused(capsys, law, listed, said):
+    assert main(["damping", "--alpha=2", *law.split(), "--amplitudes", listed]) == 2
+    assert said in capsys.readouterr().err

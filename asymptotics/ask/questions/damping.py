@@ -189,8 +189,8 @@ def damping(
     law
         epsilons (A in their unit), an oscillator (A in m, answers in SI) or "symbolic"
     amplitudes
-        turning amplitudes in m (rad of a pendulum), without SI units in the unit of the strengths; default: x0 and its
-        half, quarter, eighth
+        turning amplitudes in m (rad of a pendulum), in the shell also "20 cm,10 cm", without SI units in the unit of
+        the strengths; default: x0 and its half, quarter, eighth
     order
         the series of order N too, with its bound
     digits
