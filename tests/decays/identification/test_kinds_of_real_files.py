@@ -1,10 +1,13 @@
 """Records of the kinds that public repositories hold, made here: what a careful experimenter reads off is answered."""
 
+from dataclasses import replace
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
 import asymptotics as asy
+from asymptotics.decays.identification.telling.envelope import envelope
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.table import read_table
 from asymptotics.errors import InputError
@@ -108,3 +111,18 @@ def test_the_unit_that_a_file_writes_stays_on_numbers_and_axes():
     assert read_table({"t (s)": t, "p (dBm)": -30 - 0.4 * t}).written == ""
     with pytest.raises(InputError, match="different units: V, mV"):
         asy.identify([{"t (s)": t, f"x ({unit})": x} for unit in ("V", "mV")], laws=["1"], bootstrap=False)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_few_noisy_samples_a_period_have_a_damped_cosine(seed):
+    """Six a period with noise of 0.03: a smooth line through them is too free, and its turning points bound no Q."""
+    t = np.arange(0, 60.0)
+    x = np.exp(-np.pi * t / (6 * 90)) * np.cos(2 * np.pi * t / 6) + 0.03 * np.random.default_rng(seed).standard_normal(
+        60
+    )
+    seen = asy.identify({"t": t, "x": x}, laws=["1"]).runs[0]
+    told = envelope(seen).quality
+    assert all(q["low"] < 90 < q["high"] for q in told) and told[1]["high"] < 150
+    # Of the turning points alone the first has an interval that is longer, or misses.
+    alone = envelope(replace(seen, samples=None)).quality
+    assert not all(q["low"] < 90 < q["high"] < 300 for q in alone)
