@@ -48,7 +48,7 @@ rest."""
 
 _SPARSE, _ROUGH = 10.0, 0.01
 """Samples a period below which, and noise beside the first amplitude above which the samples tell more than turning
-points: a choice, tried with 6 a period and noises of 0.01 to 0.05."""
+points: a choice, tried with 5.5 to 9.5 a period and noises of 0.01 to 0.04."""
 
 
 @dataclass(frozen=True)
