@@ -53,6 +53,7 @@ _LOOKED_AT = 1000  # points whose type is asked before a store is made
 _PAUSE = 0.2  # seconds between two looks at a shard that another driver holds
 _DRAWN = 2000  # points of a sweep that a notebook draws by itself
 _DEATHS = 2  # lonely deaths of a worker before its point is given up
+_REFUSALS = 5  # errors of the system in a row, when batches are handed over, that end a sweep
 
 Progress = Callable[[int, int], None]
 OpenCrew = Callable[[], AbstractContextManager[Crew]]
@@ -256,6 +257,7 @@ class _Driver:
         self.suspects: deque[Job] = deque()  # a worker died with them
         self.batch, self.exhausted = 1, False
         self.broken = False
+        self.refusals = 0  # in a row
 
     def run(self) -> None:
         """Hand out points and take results until nothing is left to compute."""
@@ -294,7 +296,11 @@ class _Driver:
     def _submit(self, jobs: list[Job]) -> None:
         try:
             future = self.crew.executor.submit(run_batch, self.task, [job.point for job in jobs], mark())
-        except BrokenExecutor:
+        # OSError: a worker has died while another was being started, whose handles are closed by then.
+        except (BrokenExecutor, OSError) as error:
+            self.refusals += isinstance(error, OSError)
+            if self.refusals == _REFUSALS:
+                raise
             self.suspects.extend(jobs)
             self.broken = True
             return
@@ -319,6 +325,7 @@ class _Driver:
                 if not last:
                     self._suspect(jobs, error, alone)
                 continue
+            self.refusals = 0
             for job, outcome in zip(jobs, outcomes, strict=True):
                 self._write(job, outcome)
             self._pace(len(jobs), seconds)

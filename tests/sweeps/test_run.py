@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import nullcontext
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from tasks import sweep
 from asymptotics.errors import InputError, LimitError
 from asymptotics.sweeps.export import records
 from asymptotics.sweeps.store import Store
+from asymptotics.sweeps.workers import Crew, SerialExecutor
 
 LAST = 60
 
@@ -117,6 +119,35 @@ def test_a_point_that_kills_every_worker_is_given_up_alone(log, folder):
     assert len(stored(folder, tasks.grid(log, 12))) == 11
     # it is not on record: another day it may succeed
     assert sweep(tasks.square, "square", tasks.grid(log, 12), folder, workers=1).computed == 1
+
+
+class _Refusing(SerialExecutor):
+    """Some calls are refused by the system, as by a pool of which a worker dies while the next one is started."""
+
+    def __init__(self, refused):
+        self.refused = set(refused)
+        self.calls = 0
+
+    def submit(self, *call):
+        self.calls += 1
+        if self.calls in self.refused:
+            raise OSError("handle is closed")
+        return super().submit(*call)
+
+
+def test_a_worker_that_could_not_be_started_costs_nothing(log, folder):
+    executor = _Refusing({1, 3, 9})
+    result = sweep(tasks.square, "square", tasks.grid(log, 12), folder, crew=lambda: nullcontext(Crew(executor, 2)))
+    assert (result.computed, result.failed) == (12, 0)
+    assert executor.calls > 9
+    assert sorted(tasks.computed(log)) == list(range(1, 13))
+    all_right(folder, tasks.grid(log, 12))
+
+
+def test_an_executor_that_refuses_every_batch_ends_the_sweep(log, folder):
+    with pytest.raises(OSError, match="handle is closed"):
+        sweep(tasks.square, "square", tasks.grid(log, 12), folder, executor=_Refusing(range(1, 99, 2)))
+    assert not log.exists()
 
 
 def test_a_driver_killed_on_the_way_loses_nothing_finished(log, folder):
