@@ -53,11 +53,11 @@ step(
     -(n**2) / (1 + k * n) ** 2,
 )
 step(
-    "The modulus of g' is at most n/(1 - k n), as |1 - k N| >= 1 - k n; and d tau/d theta - 1 is of C = k N",
-    1 / (1 - z) - 1,
-    z / (1 - z),
+    "The modulus of g' is at most n/(1 - k n): at N = p + i q, of modulus n and angle phi, |1 - k N|^2 is",
+    At((1 - k * p) ** 2 + (k * q) ** 2, {p: n * sympy.cos(phi), q: n * sympy.sin(phi)}),
+    (1 - k * n) ** 2 + 2 * k * n * (1 - sympy.cos(phi)),
 )
 asserts(
-    "at most C*/(1 - C*) in modulus, C* = k n < 1: the bound grows with what is put in, 1/(1 - z)^2 > 0 at z = 1 - d",
+    "and |d tau/d theta - 1| = |C/(1 - C)|, C = k N, at most z/(1 - z), z = k n < 1, which grows: at z = 1 - d, d > 0,",
     sympy.Gt(At(sympy.Derivative(z / (1 - z), z), {z: 1 - d}), 0, evaluate=False),
 )
