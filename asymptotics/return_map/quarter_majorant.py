@@ -6,7 +6,8 @@ At complex strengths, |delta_i| <= rho_i, g = ln r and C obey, with s = sin(thet
 
 Let |N| <= n and |C| <= (c/s) n < 1.  The map -N/(1 - (c/s) N) takes that disc to one about a real number, through the
 images of -n and n: the real part is at most n/(1 + (c/s) n), the modulus at most n/(1 - (c/s) n).  The first of them
-grows with n, and n with Re g, as alpha_i >= 1.  So Re g <= H (comparison of scalar equations), where H(0) = 0 and
+grows with n, and n with Re g, as alpha_i >= 1.  So Re g <= H (comparison of scalar equations; derivation
+``quarter-backwards``), where H(0) = 0 and
 
     H' = N*/(1 + C*),    N* = sum_i rho_i e^((alpha_i-1) H) s^(alpha_i+1),    C* = (c/s) N*:
 
