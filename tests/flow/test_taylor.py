@@ -10,6 +10,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow import taylor
 from asymptotics.flow.balls import size_of
 from asymptotics.flow.taylor import TaylorStep, coefficients, discs
+from tests.each import each
 from tests.flow.forces import FORCES, OTHERS, by_strength
 
 ONE = arb(1)
@@ -131,8 +132,8 @@ def test_a_step_whose_speed_may_vanish_has_no_box():
     assert TaylorStep(flat, (arb(1), arb("-0.1"), arb("-0.1")), arb("0.9"), ONE, arb(2), ONE, 0).box[1] > 0
 
 
-@pytest.mark.parametrize("name", FORCES)
-@pytest.mark.parametrize("u", ["0.5", "-0.25"])
+@each("name", FORCES)
+@each("u", ["0.5", "-0.25"])
 def test_the_coefficients_solve_the_equations(name, u):
     """By the derivatives at the start, taken numerically along the polynomials: u' = -w, w' = G(u, w)."""
     force, side = FORCES[name], 1 if float(u) > 0 else -1

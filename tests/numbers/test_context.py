@@ -17,6 +17,7 @@ from asymptotics.numbers.context import alone, ctx
 from asymptotics.numbers.decimal_context import intervals, workdps
 from asymptotics.running.budget import budget
 from asymptotics.turning.quadratic_series import abel_coefficients, half_period_series, map_series
+from tests.each import each
 from tests.sources import nodes
 
 ROOT = Path(__file__).parents[2]
@@ -239,7 +240,7 @@ def test_no_precision_is_set_and_nothing_kept_outside_the_door():
         assert name in DOOR or faults(nodes(path), caches=caches) == [], name
 
 
-@pytest.mark.parametrize("text", [
+@each("text", [
     "from flint import ctx", "import flint\nflint.ctx.prec = 100", "ctx.prec = 9", "ctx.cap, x = 3, 4", "mp.dps = 30",
     "mpmath.mp.prec += 5", "with mpmath.workdps(30): pass", "from mpmath import workprec", "mp.extraprec(3)",
     "from functools import lru_cache", "import functools\n@functools.cache\ndef f(): pass", "setattr(c, 'prec', 3)",
