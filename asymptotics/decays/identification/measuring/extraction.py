@@ -106,7 +106,7 @@ def observations_of_record(
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     # A drift below three errors is removed all the same, but not worth telling.
     if abs(base[1]) * (t[-1] - t[0]) > 3 * np.median(found.sigma_x):
-        notes.append(f"base line {base[0]:.4g} and drift {base[1]:.3g} a unit of time removed")
+        notes.append(f"base line {base[0]:.4g} and drift {base[1]:.3g} a second removed")
     else:
         notes.append(f"base line {base[0]:.4g} removed")
     chosen, discarded = _free_decay(found)
