@@ -20,6 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from asymptotics.decays.identification.forward.blocks import triangle
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.main_frequency import main_frequency
 from asymptotics.decays.identification.measuring.observations import Indices
@@ -187,39 +188,42 @@ def _line(t: Array, x: Array, omega: float) -> SpectralLine:
     V = np.polynomial.chebyshev.chebvander(u, min(max(_DEGREES, min(_MOST, len(t) // (_EACH * each))), most))
     modulated = (V[:, :, None] * waves[:, None, :]).reshape(len(t), -1)
     # Nested columns: the first k of Q span the first k of all of them, so that one factorisation serves each degree.
-    Q, R = np.linalg.qr(np.concatenate([np.ones((len(t), 1)), u[:, None], modulated], axis=1))
-    size = np.abs(np.diag(R))
-    y, criteria = Q.T @ x, dict[int, float]()
+    A = np.concatenate([np.ones((len(t), 1)), u[:, None], modulated], axis=1)
+    R = triangle(np.concatenate([A, x[:, None]], axis=1))
+    y, R = R[:, -1], R[: A.shape[1], :-1]
+    # What so many columns leave: the coordinates beyond them, and in the last one what lies outside all of them.
+    beyond = np.cumsum(y[::-1] ** 2)[::-1]
+    size, criteria = np.abs(np.diag(R)), dict[int, float]()
     for columns in range(2 + each, R.shape[1] + 1, each):
         if size[:columns].min() < _DEPENDENT * size[:columns].max():
             break
         left = len(t) - columns
-        rss = max(float(((x - Q[:, :columns] @ y[:columns]) ** 2).sum()), 1e-300)
+        rss = max(float(beyond[columns]), 1e-300)
         # AICc as in ``criteria``, but finite when there are too few data: such a degree loses by its size.
         penalty = 2 * columns + 2 * columns * (columns + 1) / max(left - 1, 0.5)
         criteria[columns] = len(t) * np.log(rss / len(t)) + penalty
     ordered = sorted(criteria, key=lambda count: criteria[count]) or [2 + each]
     places, highest = _highest(t, x, 2 * np.pi / omega)
     # Of less than two periods a low degree may be no line at all: then one within twice the range of the record.
-    seen = [n for n in ordered if float((y[n:] ** 2).sum()) < _POOR**2 * float((y[1:] ** 2).sum())]
+    seen = [n for n in ordered if float((y[n:-1] ** 2).sum()) < _POOR**2 * float((y[1:-1] ** 2).sum())]
     limits = [(seen, highest), (ordered, _WILD * np.ptp(x))]
     tame = (n for some, most in limits for n in some if (np.abs(_modulation(R, y, n, each, places)) <= most).all())
     columns = next(tame, ordered[0])
-    r = x - Q[:, :columns] @ y[:columns]
-    noise, memory = _coloured(t, r, omega, columns, each)
-    waves_of = _waves(R, y, columns, each)
+    c = _coefficients(R, y, columns)
+    noise, memory = _coloured(t, x - A[:, :columns] @ c, omega, columns, each)
+    waves_of = c[2:].reshape(-1, each)
     third = waves_of[:, 2] - 1j * waves_of[:, 3] if each > 2 else np.zeros(1, dtype=complex)
     return SpectralLine(t, omega, waves_of[:, 0] - 1j * waves_of[:, 1], third, noise, float(len(t) - columns), memory)
 
 
-def _waves(R: Array, y: Array, columns: int, each: int) -> Array:
-    """The coefficients of so many columns: a row for each power, its cosines and sines."""
-    return np.asarray(np.linalg.lstsq(R[:columns, :columns], y[:columns], rcond=1e-10)[0][2:].reshape(-1, each))
+def _coefficients(R: Array, y: Array, columns: int) -> Array:
+    """The coefficients of so many columns: base, drift, and for each power its cosines and sines."""
+    return np.asarray(np.linalg.lstsq(R[:columns, :columns], y[:columns], rcond=1e-10)[0])
 
 
 def _modulation(R: Array, y: Array, columns: int, each: int, places: Array) -> Array:
     """P of so many columns at places from -1 to 1."""
-    waves = _waves(R, y, columns, each)
+    waves = _coefficients(R, y, columns)[2:].reshape(-1, each)
     return np.asarray(np.polynomial.chebyshev.chebval(places, waves[:, 0] - 1j * waves[:, 1]))
 
 
