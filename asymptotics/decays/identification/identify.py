@@ -161,8 +161,9 @@ def _one_run(
 ) -> Identification:
     if isinstance(run, Decrements):
         return _decrements(run, candidates, units, noise)
-    if run.without_frequency:
-        return _without_frequency(run, candidates, units)
+    unfit = _tells_no_law(run)
+    if unfit is not None:
+        return _without_law(run, candidates, units, unfit)
     seen = run.without_times() if amplitudes_only else run
     constant = is_constant(seen.sizes)
     # A constant amplitude may be a little larger at its end.
@@ -219,12 +220,24 @@ def _one_run(
     return Identification(verdict, answers, (run,), textbook, tuple(notes), answers[0].units)
 
 
-def _without_frequency(run: Observations, candidates: Sequence[Candidate], units: RecordUnits) -> Identification:
-    """An envelope of which nobody says how fast it swings: its half-life is told, and no law has a strength."""
-    reason = "an envelope of unknown frequency has no strengths"
+def _tells_no_law(run: Observations) -> tuple[str, Verdict] | None:
+    """Why no law of a run is fitted, and the verdict that says so; None where laws may be told apart."""
+    if run.without_frequency:
+        text = f"{UNDECIDED}: without the frequency of the envelope no law has a strength, and there is no Q"
+        asked = "--omega0 W (2 pi f, in rad/s), or a line 'Frequency [Hz]: f' above the numbers"
+        return "an envelope of unknown frequency has no strengths", Verdict(UNDECIDED, text, asked)
+    few = len(run.n) < LEAST_POINTS and run.samples is None
+    reason = run.no_law or (f"{len(run.n)} turning points tell no law from another" if few else "")
+    text = f"{UNDECIDED}: {reason}; its Q is that of the envelope"
+    return (reason, Verdict(UNDECIDED, text, "a longer record of the free decay")) if reason else None
+
+
+def _without_law(
+    run: Observations, candidates: Sequence[Candidate], units: RecordUnits, unfit: tuple[str, Verdict]
+) -> Identification:
+    """A run of which no law is fitted: what its envelope tells is told."""
+    reason, verdict = unfit
     laws = judged([Fitted(c, None, reason) for c in candidates], {})
-    text = f"{UNDECIDED}: without the frequency of the envelope no law has a strength, and there is no Q"
-    verdict = Verdict(UNDECIDED, text, "--omega0 W (2 pi f, in rad/s), or a line 'Frequency [Hz]: f' above the numbers")
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
     return Identification(verdict, answers, (run,), {}, run.notes, units)
 
