@@ -42,7 +42,11 @@ def line_amplitudes(samples: Samples, t: Array, n: Indices) -> tuple[Array, Arra
     turn, rho = omega * float(np.median(np.diff(samples.t))), samples.memory
     density = (1 - rho**2) / (1 - 2 * rho * np.cos(turn) + rho**2)
     along = np.asarray(np.linalg.qr(inverse.T, mode="r")).T
-    return np.abs(values), samples.noise * np.sqrt(density) * np.sign(values)[:, None] * (B @ along)
+    # The amplitudes of a polynomial of degree d have d + 1 errors that are independent: what is beside them is nothing
+    # that a line could follow.
+    left, size, _ = np.linalg.svd(np.sign(values)[:, None] * (B @ along), full_matrices=False)
+    root = (left * size)[:, : degree + 1]
+    return np.abs(values), samples.noise * np.sqrt(density) * root
 
 
 def _columns(line: SpectralLine, t: Array, degree: int, harmonics: tuple[int, ...], derivative: int) -> Array:

@@ -30,8 +30,6 @@ _POWERS, _TERMS, LEAST, _NEAR = (-1, 0, 1, 2, 3), 3, 5, 4.0
 """Of A, in the fall of ln A: those by the losses of exponents 0 to 3, and of a loss in v^2 beside a pendulum; how many
 together; turning points below which there is one power alone; and the AICc above the best up to which a choice of
 powers is believed too."""
-_EXACT = 0.05
-"""Combinations of amplitudes whose error is so much smaller than that of others are what no polynomial follows."""
 
 
 def decline_of(
@@ -49,7 +47,7 @@ def decline_of(
     few = len(n) < LEAST
     sets = [c for count in range(1, (1 if few else _TERMS) + 1) for c in combinations(_POWERS, count)]
     weight = size / size[0] / error  # where the errors of the amplitudes are alike, those of their logarithms are not
-    white = np.eye(len(size)) if root is None else _whitened(root / size[0])
+    white = np.eye(len(size)) if root is None else np.linalg.pinv(root / size[0])
     found = []
     for powers in sets:
         V = white @ (np.stack([np.ones(len(size)), *(sums[k] for k in powers)], axis=1) * weight[:, None])
@@ -73,13 +71,6 @@ def decline_of(
     least = min(value for value, _ in found)
     near = [fall for value, fall in sorted(found, key=lambda pair: pair[0]) if value < least + _NEAR]
     return lambda amplitude: _united([fall.at(amplitude / size[0]) for fall in near])
-
-
-def _whitened(root: Array) -> Array:
-    """The matrix after which errors of the covariance F F^T are independent, of size 1: without what has none."""
-    left, size, _ = np.linalg.svd(root, full_matrices=False)
-    kept = size > _EXACT * size[0]
-    return np.asarray(left[:, kept].T / size[kept, None])
 
 
 def decline_of_few(n: Indices, size: Array, stated: float) -> Decline:
