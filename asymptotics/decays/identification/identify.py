@@ -297,7 +297,7 @@ def _mode(laws: Sequence[Judged]) -> list[str]:
     if len(told) < 2:
         return [f"{first.candidate}: the data set no limit to the second mode"]
     size = f"{np.hypot(cosine, sine):.3g} at the first sample"
-    return [f"second mode: {omega:.5g} {told[0]} rad a unit of time, {size}, rate of decay {rate:.3g} {told[1]}"]
+    return [f"second mode: {omega:.5g} {told[0]} rad/s, {size}, rate of decay {rate:.3g} {told[1]} 1/s"]
 
 
 def _levels(fits: Sequence[Fitted], noise: Noise | None) -> Levels:

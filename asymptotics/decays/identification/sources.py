@@ -104,7 +104,8 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
     swinging = _swinging(t, x, run)  # at rest the swings are those of noise, which rise and fall
     beat = near_modes(t[swinging], x[swinging])
     if beat is not None:
-        if modes == 1 and (beat.is_strong or len(parts) > 1 or len(parts[0]) < len(t)):
+        # A weaker one is measured and taken off, or stays in what the laws leave: the motion is one decay still.
+        if modes == 1 and beat.is_strong:
             raise InputError("FILE", f"{rows.name} {beat.in_words}", "--modes 2, which fits both")
         said = said if modes > 1 else (*said, f"the record {beat.in_words}: --modes 2 fits both")
         parts = [np.arange(len(t))]
@@ -227,7 +228,12 @@ def _turning_points(table: RecordTable) -> Observations:
     if len(wrong) > max(2, len(x) // 3):
         reason = f"{rows.where(wrong[0], 'x')}: the signs do not alternate with n"
         raise InputError("FILE", reason, "x_n with alternating signs, or amplitudes of one sign")
-    return seen
+    # What ends on the wrong side is no turning point of a swing: friction held it on its way, or it is noise.
+    last = int(np.flatnonzero(seen.x * seen.sign >= 0)[-1])
+    if last == len(x) - 1 or last < LEAST_POINTS - 1:
+        return seen
+    said = f"what follows turning point {seen.n[last]} is on the same side: at rest, or hidden by noise; left out"
+    return replace(seen.up_to(int(seen.n[last])), notes=(*seen.notes, said))
 
 
 def _require_few(swings: float, where: str) -> None:

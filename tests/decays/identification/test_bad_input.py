@@ -10,6 +10,7 @@ import asymptotics as asy
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.errors import InputError, LimitError
 from asymptotics.shell.main import main
+from tests.each import each
 
 POINTS = "\n".join(f"{n},{(-0.9) ** n:.6f}" for n in range(12))
 
@@ -110,7 +111,7 @@ BAD_OPTIONS = [
 ]
 
 
-@pytest.mark.parametrize("options", BAD_OPTIONS, ids=" ".join)
+@each("options", BAD_OPTIONS)
 def test_bad_options_end_with_one_line_and_code_2(options, tmp_path, capsys):
     path = tmp_path / "data.csv"
     path.write_text("n,x\n" + POINTS)

@@ -151,7 +151,7 @@ def test_a_body_that_is_caught_and_let_go_again_is_several_runs_of_one_law():
 
 def test_a_place_that_is_called_an_acceleration():
     """Dry friction, exactly: (A - f) cos about f of either sign; an acceleration would jump where the motion turns."""
-    t, f = np.arange(0, 20, 0.01), 0.02
+    t, f = np.arange(0, 10, 0.01), 0.02
     half = np.floor(t * W / np.pi)
     size = 0.55 - 2 * f * half
     x = np.where(size > f, (size - f) * np.cos(W * t) + f * (-1) ** half, np.nan)

@@ -45,7 +45,7 @@ _PLACES, _OVERTONES = np.linspace(0.0, 2 * np.pi, 721), np.arange(3, 60, 2)
 
 @dataclass(frozen=True)
 class DampedCosine:
-    """``omega``: in rad a unit of time, with its interval; ``fall``: what ln A loses in a half-swing at an amplitude;
+    """``omega``: in rad/s, with its interval; ``fall``: what ln A loses in a half-swing at an amplitude;
     ``size``: the amplitude of the motion at a time, by the best choice of powers; ``phase``: psi of the samples at the
     first of them; ``residual``: what is left, and ``memory``, the correlation of neighbours in it."""
 
