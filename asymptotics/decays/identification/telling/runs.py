@@ -83,7 +83,8 @@ def _common(laws: Sequence[Judged]) -> Judged:
     springs = [_mean([law.springs[i] for law in laws]) for i in range(len(first.springs))]
     exponents = [law.alpha for law in laws if law.alpha is not None]
     alpha = _mean(exponents)[0] if exponents else None
-    found = Judged(Fitted(first.candidate, None), Intervals(_ends(epsilon), _ends(springs), alpha), total=total)
+    intervals = Intervals(_ends(epsilon), _ends(springs), alpha)
+    found = Judged(Fitted(first.candidate, None), intervals, total=total, runs=tuple(laws))
     scatter = zip(found.strengths, (*epsilon, *springs), strict=True)
     apart = tuple(name for (name, _), (_, between) in scatter if between > 0)
     return replace(found, intervals=replace(found.intervals, apart=apart))

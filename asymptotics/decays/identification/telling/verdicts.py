@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from asymptotics.decays.identification.fitting.model import Noise
+from asymptotics.decays.identification.fitting.waveform import WaveformModel
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.judging.allowance import WEAK, Allowance, allowance_text, allowances
 from asymptotics.decays.identification.judging.contradiction import REFUTED
@@ -150,7 +151,16 @@ def _nothing_fits(fitted: Sequence[Judged], best: Judged) -> Verdict:
         return Verdict(NONE, text, "a loss that depends on position such as 1,2: (|x|^2 x'), or a free exponent")
     why = "model inadequate, or noise that is not independent from swing to swing"
     text = f"{NONE} at the noise level ({why}); the best is {best.candidate}: {best.evidence.residuals}{near}"
-    return Verdict(NONE, text, "the residuals against n show what is missing: a term, a second mode, the base")
+    return Verdict(NONE, text, _what_is_missing(best))
+
+
+def _what_is_missing(best: Judged) -> str:
+    """Where to look, and of samples what fits a further line."""
+    model = None if best.fit is None else best.fit.model
+    if not isinstance(model, WaveformModel):
+        return "the residuals against n show what is missing: a term, a second mode, the base"
+    more = "" if model.samples.mode else "; a second mode, hum or a rocking base is fitted beside the motion by modes 2"
+    return f"the residuals against t show what is missing: a term, a further line, the base{more}"
 
 
 def _nearest(fitted: Sequence[Judged], best: Judged) -> str:
