@@ -19,7 +19,7 @@ True
 
 import re
 from collections.abc import Callable
-from functools import cache
+from functools import lru_cache
 from importlib import import_module
 from typing import Any
 
@@ -99,7 +99,7 @@ def mathml(latex: str, *, display: bool = False) -> str:
     return _typeset(convert, str(latex), "block" if display else "inline")
 
 
-@cache
+@lru_cache(maxsize=4096)
 def _typeset(convert: Callable[..., Any], latex: str, display: str) -> str:
     formula = str(convert(latex.replace("---", "\N{EM DASH}"), display=display))
     for plain, better in _SET.items():

@@ -11,7 +11,7 @@ A panel is worth its nodes if it saves more half-swings than it costs.
 >>> from asymptotics.numbers.exact import ExactReal
 >>> linear_and_quadratic = Coordinate.of([(arb(1) / 20, ExactReal(1)), (arb(1), ExactReal(2))])
 >>> long, short = (from_zero(linear_and_quadratic, z, 120, quartered=True) for z in (0.2, 1e-3))
->>> (long.first, 0.2 < long.last < 0.5, 30 < long.nodes < 100, short.last <= long.last) if long and short else None
+>>> (long.first, 0.2 < long.last < 0.5, 20 < long.nodes < 60, short.last <= long.last) if long and short else None
 (0.0, True, True, True)
 >>> from_zero(linear_and_quadratic, 1.0, 120, quartered=True) is None
 True
@@ -55,7 +55,9 @@ _DOWN = tuple(
 )
 _DENSE = 8  # starts looked at one by one; then ever fewer
 _STEPS, _FINE = 24, 200  # of a quarter; one reach is found for many half-swings
-_STEEP = 2.5  # log of what the steepest strength grows by, at most, in a quarter-swing
+# ln of what the steepest strength grows by, at most, in a quarter-swing; smaller alpha - 1, which doubles may not tell
+# from 0, are taken for this one.
+_STEEP, _FLAT = 2.5, 1 / 16
 _MARGIN = 2.0**-10  # a panel of ln A begins that much above the amplitude it is made for: the error of it lies inside
 
 
@@ -142,6 +144,7 @@ def farthest(coordinate: Coordinate, bits: int, *, quartered: bool) -> PanelPlan
     return _up_to(coordinate, _FARTHEST[quartered], bits, quartered)
 
 
+@lru_cache(maxsize=256)
 def _up_to(coordinate: Coordinate, share: float, bits: int, quartered: bool) -> PanelPlan:
     last, odd = share * places_of(coordinate, quartered=quartered), coordinate.is_odd
     # The half width is last/2, and the ellipse may go as far as the reach.  Quarters of one law have the middle 0.
@@ -281,7 +284,7 @@ def _exists(
         high, low = (_strengths(coordinate, middle + side * half_axis) for side in (1, -1))
         sizes = [max(pair) for pair in zip(high, low, strict=True)] if coordinate.root is None else high
         growth, slopes = 0.0, [abs(float(a) - 1) for a in coordinate.exponents]
-        most = 4.0 if whole or by_modulus else _STEEP / max(slopes)
+        most = 4.0 if whole or by_modulus else _STEEP / max(*slopes, _FLAT)
         steps = _quarter(tuple(map(float, coordinate.exponents)), count)
         for sines, products in steps if whole else steps[:count]:
             strengths = [size * exp(slope * growth) for size, slope in zip(sizes, slopes)]

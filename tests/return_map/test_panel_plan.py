@@ -106,7 +106,7 @@ def test_the_reach_in_doubles_is_that_of_the_majorant(name):
     assert c.bounds(arb(0), arb(0.95 * reach)) is not None and c.bounds(arb(0), arb(1.05 * reach)) is None
 
 
-@pytest.mark.parametrize("alphas", ["6/5", "2", "3", "6", "40", "1 2", "3/2 2"])
+@pytest.mark.parametrize("alphas", ["1001/1000", f"{10**20 + 1}/{10**20}", "6/5", "2", "3", "6", "40", "1 2", "3/2 2"])
 def test_the_reach_of_quarter_swings_in_doubles_is_about_that_in_balls(alphas):
     """Panels end well inside, so that there is room for an ellipse."""
     c = coordinate([(a, "1/4") for a in alphas.split()])

@@ -14,7 +14,7 @@ from scipy.special import chdtrc
 
 from asymptotics.decays.identification.fitting.least_squares import Fit
 from asymptotics.decays.identification.fitting.profile import Function
-from asymptotics.decays.identification.forward.coefficients import Array, product
+from asymptotics.decays.identification.forward.blocks import Array, product
 
 REPLICAS = 400
 """A standard deviation from 400 draws has an error of 1/sqrt(800), 3.5 %: so well is the stretch of an interval
@@ -65,14 +65,15 @@ def replicas(fit: Fit, count: int = REPLICAS, seed: int = 1) -> Array:
     swings, length = fit.model.units, block_length(fit)
     starts = generator.integers(0, swings, size=(count, swings // length + 1))
     # The blocks go round, so that a swing near an end is drawn as often as any other.
-    order = ((starts[:, :, None] + np.arange(length)) % swings).reshape(count, -1)[:, :swings]
+    round_the_end = np.arange(swings + length) % swings
     drawn = np.empty((count, len(fit.residuals)))
     for group in fit.model.groups:
         r = fit.weighted[group]
         # Residuals are smaller than the noise by what the fit took out; 2 stands for that in each kind, a choice that
         # matters in short records alone.
         r = (r - r.mean()) * np.sqrt(len(r) / max(len(r) - 2.0, 1.0))
-        drawn[:, group] = r[order[:, : len(r)] % len(r)]
+        blocks = np.lib.stride_tricks.sliding_window_view(r[round_the_end % len(r)], length)
+        drawn[:, group] = blocks[starts].reshape(count, -1)[:, : len(r)]
     # The least-squares solution of each replica; what no data see does not change.
     found = fit.directions
     along = product(drawn, found.left[: len(fit.residuals), found.seen]) / found.values[found.seen]

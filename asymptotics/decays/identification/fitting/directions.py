@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.decays.identification.forward.blocks import Array, decomposed
 
 Flags = np.ndarray[tuple[int], np.dtype[np.bool_]]
 _UNSEEN = 1e-10
@@ -40,7 +40,7 @@ class Directions:
         rows = np.zeros((max(J.shape[1] - len(J), 0), J.shape[1]))
         # Columns of one length: strengths, logarithms and times have different units, and the singular values compare
         # them.
-        return cls(size, *np.linalg.svd(np.vstack([J / size, rows]), full_matrices=False))
+        return cls(size, *decomposed(np.vstack([J / size, rows])))
 
     @property
     def seen(self) -> Flags:

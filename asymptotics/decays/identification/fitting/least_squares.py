@@ -144,8 +144,12 @@ def fit(model: Model, start: Array, noise: Noise | None = None) -> Fit:
 def predicted_at(model: Model, theta: Array) -> tuple[Array, Array]:
     """``Model.predict``, without infinities: TooStrongError where a step of the search has left the doubles.
 
-    LAPACK is never handed a nan or an infinity, of which it writes to the terminal.
+    LAPACK is never handed a nan or an infinity, of which it writes to the terminal.  The last prediction is kept: the
+    scales and the result ask once more for that with which the search has ended.
     """
+    asked = (theta.tobytes(), model.swing.tolerance)
+    if model.predicted is not None and model.predicted[0] == asked:
+        return model.predicted[1]
     # The search may lead anywhere; what overflows there is refused, and is no warning for the user.
     with np.errstate(all="ignore"):
         predicted, slopes = model.predict(theta)
@@ -153,6 +157,7 @@ def predicted_at(model: Model, theta: Array) -> tuple[Array, Array]:
         tame = bool((np.abs(predicted) < _HUGE).all() and (np.abs(slopes) < _HUGE).all())
     if not tame:
         raise TooStrongError("the motion leaves every bound")
+    model.predicted = asked, (predicted, slopes)
     return predicted, slopes
 
 

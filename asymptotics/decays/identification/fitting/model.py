@@ -67,6 +67,8 @@ class Model:
         shapes = [s / np.sqrt(np.mean(s**2)) if len(s) else np.ones(c) for s, c in zip(sigmas, counts) if c]
         self.shape = np.concatenate(shapes)
         self._known: tuple[Array, TurningSequence] | None = None
+        self.predicted: tuple[tuple[bytes, float], tuple[Array, Array]] | None = None
+        """The last prediction of a fit, and the parameters and the tolerance to which it belongs."""
 
     def _sequence(self, theta: Array) -> TurningSequence:
         """The turning points, sought from where the last ones lead by their derivatives."""

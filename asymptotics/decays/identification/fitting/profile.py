@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtri, stdtrit
 
-from asymptotics.decays.identification.fitting.least_squares import Fit, minimise
+from asymptotics.decays.identification.fitting.least_squares import Fit, minimise, predicted_at
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.present.shown import Page, Shown
@@ -172,6 +172,6 @@ def _minimum_at(fit: Fit, g: Function, start: Array, target: float, error: float
         theta, _ = minimise(fit.model, straight, fit.scales, penalty)
     except TooStrongError:  # where a straight line leaves the model's domain, the last point of the curve may not
         theta, _ = minimise(fit.model, start, fit.scales, penalty)
-    predicted, _ = fit.model.predict(theta)
+    predicted, _ = predicted_at(fit.model, theta)
     r = (fit.model.data - predicted) / fit.model.scale_vector(fit.scales)
     return theta, g(theta)[0], float(r @ r) - fit.chi2

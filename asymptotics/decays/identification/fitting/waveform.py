@@ -193,10 +193,7 @@ def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Ar
     h = np.pi / steps
     places = np.arange(2 * steps + 1) * h / 2
     sines, cosines = np.abs(np.sin(places)), np.cos(places)  # a power of a negative rounding of sin(pi) is nan
-    shapes = [
-        [_shape(e, v, sine, cosine) for e, v in zip(swing.elements, q, strict=True)]
-        for sine, cosine in zip(sines, cosines, strict=True)
-    ]
+    shapes = list(zip(*(_shapes(e, v, sines, cosines) for e, v in zip(swing.elements, q, strict=True)), strict=True))
     powers = [_whole(weight) for weight in w]
 
     def force(k: int, y: Array) -> Array:
@@ -212,8 +209,7 @@ def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Ar
     def slope(k: int, y: Array) -> Array | float:
         return np.sqrt(np.maximum(1 - (well * cosines[k] * np.exp(A + y)) ** 2, 0.0)) if well else 1.0
 
-    def rates(k: int, y: Array) -> tuple[Array, Array]:
-        N = force(k, y)
+    def rates(k: int, y: Array, N: Array) -> tuple[Array, Array]:
         d = slope(k, y) - cosines[k] * N
         if not (d > 0.01).all():  # as in ``quadrature``: the loss is about to stop the motion
             raise TooStrongError("no turning point follows on the other side")
@@ -228,20 +224,21 @@ def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Ar
         found.append((tau, x, -r * sines[k], r * (N - c * slope(k, y))))
         if k == 2 * steps:
             break
-        y1, t1 = rates(k, y)
-        y2, t2 = rates(k + 1, y + h / 2 * y1)
-        y3, t3 = rates(k + 1, y + h / 2 * y2)
-        y4, t4 = rates(k + 2, y + h * y3)
+        y1, t1 = rates(k, y, N)
+        y2, t2 = rates(k + 1, at := y + h / 2 * y1, force(k + 1, at))
+        y3, t3 = rates(k + 1, at := y + h / 2 * y2, force(k + 1, at))
+        y4, t4 = rates(k + 2, at := y + h * y3, force(k + 2, at))
         y, tau = y + h / 6 * (y1 + 2 * y2 + 2 * y3 + y4), tau + h / 6 * (t1 + 2 * t2 + 2 * t3 + t4)
     nodes = [np.stack(part) for part in zip(*found, strict=True)]
     return nodes[0], nodes[1], nodes[2], nodes[3]
 
 
-def _shape(element: Element, velocity: Array, sine: float, cosine: float) -> Array:
-    """f(theta) of one term, a column over the sets of parameters."""
+def _shapes(element: Element, velocity: Array, sines: Array, cosines: Array) -> Array:
+    """f(theta) of one term at each place, a column over the sets of parameters."""
+    s, c = sines[:, None, None], cosines[:, None, None]
     if element.kind == "loss":
-        return np.asarray(sine**velocity * abs(cosine) ** element.position)
-    return np.full_like(velocity, -cosine * abs(cosine) ** (element.position - 1))
+        return np.asarray(s**velocity * np.abs(c) ** element.position)
+    return np.asarray(np.broadcast_to(-c * np.abs(c) ** (element.position - 1), (len(s), *velocity.shape)))
 
 
 def _whole(weight: Array) -> int:

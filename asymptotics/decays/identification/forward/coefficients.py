@@ -25,12 +25,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import sici
 
+from asymptotics.decays.identification.forward.blocks import product
 from asymptotics.numbers.context import cache, lru_cache
 from asymptotics.series import Key, monomials
 
 Array = NDArray[np.float64]
-_BLAS_SERIAL = 200_000
-"""Multiplications in a matrix product below which BLAS stays in one thread.  It decides the time alone."""
 _HALF_NODES = 32
 """Nodes on either side of the middle of each quarter: the coefficients are then right to about 1e-12.  Against 64
 nodes, laws 3/2, 1/10 + 2 and 3/2 with a cubic spring through degree 5 are off by 2e-6 at most with 16, 3e-9 with 24 and
@@ -49,16 +48,6 @@ class Element:
     def weight(self) -> float:
         """w = degree - 1: the local strength is delta = epsilon A^w."""
         return self.velocity + self.position - 1
-
-
-def product(a: Array, b: Array) -> Array:
-    """a @ b for a matrix b, a few rows of a at a time: so small that BLAS starts no threads, which would cost more."""
-    rows = a.reshape(-1, a.shape[-1])
-    step = max(1, _BLAS_SERIAL // b.size)
-    if len(rows) <= step:
-        return np.asarray(a @ b)
-    pieces = [rows[i : i + step] @ b for i in range(0, len(rows), step)]
-    return np.concatenate(pieces).reshape(*a.shape[:-1], b.shape[1])
 
 
 def loss(alpha: float, position: int = 0) -> Element:

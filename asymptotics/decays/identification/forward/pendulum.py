@@ -21,13 +21,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.polynomial import chebyshev
 
+from asymptotics.decays.identification.forward.blocks import product
 from asymptotics.decays.identification.forward.coefficients import (
     Array,
     Element,
     forced,
     graded_product,
     keys_of,
-    product,
     shape,
     theta_grid,
 )

@@ -13,7 +13,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from asymptotics.decays.identification.forward.coefficients import Array, Element, ThetaGrid, product, shape, theta_grid
+from asymptotics.decays.identification.forward.blocks import product
+from asymptotics.decays.identification.forward.coefficients import Array, Element, ThetaGrid, shape, theta_grid
 
 _ITERATIONS = 80
 """Picard's error falls like a^k/k!, where a is the size of the kernel: 80 suffice unless the motion is about to stick,

@@ -19,11 +19,11 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
+from asymptotics.decays.identification.forward.blocks import product
 from asymptotics.decays.identification.forward.coefficients import (
     Array,
     Element,
     SwingCoefficients,
-    product,
     swing_coefficients,
 )
 from asymptotics.decays.identification.forward.quadrature import TooStrongError, integrated_swings

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from asymptotics.decays.identification.forward.blocks import triangle
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.main_frequency import main_frequency
 from asymptotics.decays.identification.measuring.observations import Indices
@@ -83,7 +84,7 @@ class SpectralLine:
     def turning_points(self, derivative: int = 0) -> tuple[Indices, Array, Array, Flags]:
         """(n, times, signed values) of the motion, of which the record is this derivative: from the last one before
         the first sample to the first after the last; and which of them lie inside, where the line is known."""
-        P, Q = (self._integrated(c, k, derivative) for c, k in ((self.modulation, 1), (self.third, 3)))
+        P, Q = (self.integrated(c, k, derivative) for c, k in ((self.modulation, 1), (self.third, 3)))
         count = int(_FINE * (self.t[-1] - self.t[0]) * self.omega / (2 * np.pi)) + 3
         grid = np.linspace(self.t[0], self.t[-1], count)
         modulation = np.polynomial.chebyshev.chebval(self._places(grid), P)
@@ -116,7 +117,7 @@ class SpectralLine:
         times, inside, values = np.where(own, times, by_phase), inside & own, np.where(own, values, guessed)
         return np.arange(len(k)), times, np.where(inside, self._sum(P, Q, times, 0), values), inside
 
-    def _integrated(self, c: Array, harmonic: int, derivative: int) -> Array:
+    def integrated(self, c: Array, harmonic: int, derivative: int) -> Array:
         """Coefficients of P when the record, a derivative, is integrated: sum_k (-1)^k P^(k)/(i k omega)^(k+1)."""
         rate = 1j * harmonic * self.omega
         for _ in range(derivative):
@@ -129,6 +130,11 @@ class SpectralLine:
                 term = -np.polynomial.chebyshev.chebder(term, scl=2 / (self.t[-1] - self.t[0])) / rate
             c = total
         return c
+
+    def wave(self, c: Array, harmonic: int, t: Array) -> Array:
+        """Re(c(u) e^(i harmonic omega t))."""
+        modulation = np.polynomial.chebyshev.chebval(self._places(t), c)
+        return np.asarray((modulation * np.exp(1j * harmonic * self.omega * t)).real)
 
     def _sum(self, P: Array, Q: Array, t: Array, order: int) -> Array:
         """A derivative by time of Re(P e^(i w t)) + Re(Q e^(3 i w t))."""
@@ -153,7 +159,7 @@ def demodulated(t: Array, x: Array, period: float | None = None) -> SpectralLine
     # The frequency of the spectrum is off by up to half a bin: the mean drift of the phase corrects it, until it is
     # less than 0.3 rad over the record, which the modulation takes up.
     for _ in range(3):
-        line = _line(t, x, omega)
+        line = fitted_line(t, x, omega)
         grid = np.linspace(t[0], t[-1], 400)
         size, phase = line.at(grid)
         loud = _loud(size)
@@ -174,7 +180,7 @@ def _loud(size: Array) -> slice:
     return slice(min(first, max(top - least, 0)), max(last, min(top + least, len(size))))
 
 
-def _line(t: Array, x: Array, omega: float) -> SpectralLine:
+def fitted_line(t: Array, x: Array, omega: float) -> SpectralLine:
     """The line of the degree that Akaike's criterion chooses: the columns of all degrees are nested, so that one
     factorisation answers for each of them."""
     u = 2 * (t - t[0]) / (t[-1] - t[0]) - 1
@@ -187,39 +193,42 @@ def _line(t: Array, x: Array, omega: float) -> SpectralLine:
     V = np.polynomial.chebyshev.chebvander(u, min(max(_DEGREES, min(_MOST, len(t) // (_EACH * each))), most))
     modulated = (V[:, :, None] * waves[:, None, :]).reshape(len(t), -1)
     # Nested columns: the first k of Q span the first k of all of them, so that one factorisation serves each degree.
-    Q, R = np.linalg.qr(np.concatenate([np.ones((len(t), 1)), u[:, None], modulated], axis=1))
-    size = np.abs(np.diag(R))
-    y, criteria = Q.T @ x, dict[int, float]()
+    A = np.concatenate([np.ones((len(t), 1)), u[:, None], modulated], axis=1)
+    R = triangle(np.concatenate([A, x[:, None]], axis=1))
+    y, R = R[:, -1], R[: A.shape[1], :-1]
+    # What so many columns leave: the coordinates beyond them, and in the last one what lies outside all of them.
+    beyond = np.cumsum(y[::-1] ** 2)[::-1]
+    size, criteria = np.abs(np.diag(R)), dict[int, float]()
     for columns in range(2 + each, R.shape[1] + 1, each):
         if size[:columns].min() < _DEPENDENT * size[:columns].max():
             break
         left = len(t) - columns
-        rss = max(float(((x - Q[:, :columns] @ y[:columns]) ** 2).sum()), 1e-300)
+        rss = max(float(beyond[columns]), 1e-300)
         # AICc as in ``criteria``, but finite when there are too few data: such a degree loses by its size.
         penalty = 2 * columns + 2 * columns * (columns + 1) / max(left - 1, 0.5)
         criteria[columns] = len(t) * np.log(rss / len(t)) + penalty
     ordered = sorted(criteria, key=lambda count: criteria[count]) or [2 + each]
     places, highest = _highest(t, x, 2 * np.pi / omega)
     # Of less than two periods a low degree may be no line at all: then one within twice the range of the record.
-    seen = [n for n in ordered if float((y[n:] ** 2).sum()) < _POOR**2 * float((y[1:] ** 2).sum())]
+    seen = [n for n in ordered if float((y[n:-1] ** 2).sum()) < _POOR**2 * float((y[1:-1] ** 2).sum())]
     limits = [(seen, highest), (ordered, _WILD * np.ptp(x))]
     tame = (n for some, most in limits for n in some if (np.abs(_modulation(R, y, n, each, places)) <= most).all())
     columns = next(tame, ordered[0])
-    r = x - Q[:, :columns] @ y[:columns]
-    noise, memory = _coloured(t, r, omega, columns, each)
-    waves_of = _waves(R, y, columns, each)
+    c = _coefficients(R, y, columns)
+    noise, memory = _coloured(t, x - A[:, :columns] @ c, omega, columns, each)
+    waves_of = c[2:].reshape(-1, each)
     third = waves_of[:, 2] - 1j * waves_of[:, 3] if each > 2 else np.zeros(1, dtype=complex)
     return SpectralLine(t, omega, waves_of[:, 0] - 1j * waves_of[:, 1], third, noise, float(len(t) - columns), memory)
 
 
-def _waves(R: Array, y: Array, columns: int, each: int) -> Array:
-    """The coefficients of so many columns: a row for each power, its cosines and sines."""
-    return np.asarray(np.linalg.lstsq(R[:columns, :columns], y[:columns], rcond=1e-10)[0][2:].reshape(-1, each))
+def _coefficients(R: Array, y: Array, columns: int) -> Array:
+    """The coefficients of so many columns: base, drift, and for each power its cosines and sines."""
+    return np.asarray(np.linalg.lstsq(R[:columns, :columns], y[:columns], rcond=1e-10)[0])
 
 
 def _modulation(R: Array, y: Array, columns: int, each: int, places: Array) -> Array:
     """P of so many columns at places from -1 to 1."""
-    waves = _waves(R, y, columns, each)
+    waves = _coefficients(R, y, columns)[2:].reshape(-1, each)
     return np.asarray(np.polynomial.chebyshev.chebval(places, waves[:, 0] - 1j * waves[:, 1]))
 
 

@@ -22,6 +22,7 @@ import numpy as np
 
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.defects import shape_notes, usable
+from asymptotics.decays.identification.measuring.few_swings import observations_of_few_swings
 from asymptotics.decays.identification.measuring.late_extremes import DEGREE, Window
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.observations import Indices, Observations, Samples
@@ -114,7 +115,9 @@ def observations_of_record(
         free = t >= (found.t[chosen[0]] if len(chosen) else t[0])
         return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=table.notes, period=period)
     if len(chosen) < _LEAST_EXTREMES:
-        raise InputError("FILE", f"only {len(chosen)} turning points form a free decay", f"at least {_LEAST_EXTREMES}")
+        free = t >= (found.t[chosen[0]] if len(chosen) else t[0])
+        kept = (*table.notes, *discarded, f"only {len(chosen)} turning points form a free decay")
+        return observations_of_few_swings(t[free], x[free], unit=unit, name=name, notes=kept)
     # Windows of nine samples for seven coefficients throw most of a sparse record away: noise that is seen is enough.
     sparse = per_period < _SAMPLES / _WINDOW
     noisy = found.noise > (_COARSE if sparse else _NOISY) * abs(found.x[chosen[0]])

@@ -18,6 +18,7 @@ tell apart, a line is its modulation: such a beat is named (``defects``), not ta
 
 import numpy as np
 
+from asymptotics.decays.identification.forward.blocks import triangle
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.demodulation import SpectralLine, demodulated
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
@@ -131,14 +132,13 @@ def line_beside(
     # The frequency again, now that the motion is away: a bin of the spectrum is too coarse for a phase over the record.
     other = _refined(T, X - main @ solved(main, main[:, :0], rough), other)
     line = _line(t, other)
-    Q = np.linalg.qr(np.concatenate([main, line[some]], axis=1))[0]
-    left = X - Q[:, : main.shape[1]] @ (Q[:, : main.shape[1]].T @ X)
-    # Without the line: the criterion that it has to beat by WORTH.
-    criteria = [len(T) * np.log(float(left @ left) / len(T)) - worth]
-    for place in range(main.shape[1], Q.shape[1], 2):
-        # Cosine and sine of one degree together: Akaike's 2 for each.
-        left = left - Q[:, place : place + 2] @ (Q[:, place : place + 2].T @ X)
-        criteria.append(len(T) * np.log(max(float(left @ left), 1e-300) / len(T)) + 2.0 * (place + 2 - main.shape[1]))
+    along = triangle(np.concatenate([main, line[some], X[:, None]], axis=1))[:, -1]
+    # What so many columns leave: the coordinates beyond them, and in the last one what lies outside all of them.
+    left = np.maximum(np.cumsum(along[::-1] ** 2)[::-1][main.shape[1] :: 2], 1e-300)
+    # Without the line: the criterion that it has to beat by WORTH.  Cosine and sine of one degree together: Akaike's 2
+    # for each.
+    criteria = len(T) * np.log(left / len(T)) + 4.0 * np.arange(len(left))
+    criteria[0] -= worth
     columns = 2 * int(np.argmin(criteria))
     if not columns:
         return None
@@ -155,8 +155,8 @@ def line_beside(
 
 def solved(main: Array, line: Array, x: Array) -> Array:
     """The coefficients of both together, by least squares."""
-    Q, R = np.linalg.qr(np.concatenate([main, line], axis=1))
-    return np.asarray(np.linalg.lstsq(R, Q.T @ x, rcond=1e-10)[0])
+    R = triangle(np.concatenate([main, line, x[:, None]], axis=1))[: main.shape[1] + line.shape[1]]
+    return np.asarray(np.linalg.lstsq(R[:, :-1], R[:, -1], rcond=1e-10)[0])
 
 
 def motion_columns(line: SpectralLine, t: Array) -> Array:

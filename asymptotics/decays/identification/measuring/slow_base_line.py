@@ -25,6 +25,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from asymptotics.decays.identification.forward.blocks import triangle
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.demodulation import SpectralLine, demodulated
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
@@ -83,23 +84,23 @@ def slow_base_line(t: Array, x: Array) -> SlowBaseLine | None:
     if periods < _PERIODS or len(T) < 4 * periods:
         return None
     slow = int(2 * _FASTEST * periods)
-    waves = _cosines((t - t[0]) / (t[-1] - t[0]), int(2 * _BETWEEN * periods))
+    u = (t - t[0]) / (t[-1] - t[0])
+    waves = _cosines(u[some], int(2 * _BETWEEN * periods))
     rough = motion_columns(SpectralLine(T, omega, np.zeros(_ROUGH), np.zeros(1), 0.0, 0.0, 0.0), T)
-    first = X - waves[some, :slow] @ solved(rough, waves[some, :slow], X)[rough.shape[1] :]
+    first = X - waves[:, :slow] @ solved(rough, waves[:, :slow], X)[rough.shape[1] :]
     # Without it, or the modulation of the motion would follow it.
     main = motion_columns(demodulated(T, first, 2 * np.pi / omega), T)
-    # Orthonormal columns: noise has the same share in each.
-    along = np.linalg.qr(np.concatenate([main, waves[some]], axis=1))[0].T @ X
-    power = along[main.shape[1] :] ** 2
-    Q = np.linalg.qr(main)[0]
-    left = float(((X - Q @ (Q.T @ X)) ** 2).sum()) - np.concatenate([[0.0], np.cumsum(power[:slow])])
+    # Orthonormal columns: noise has the same share in each.  The last coordinate is what lies outside all of them.
+    along = triangle(np.concatenate([main, waves, X[:, None]], axis=1))[:, -1]
+    power = along[main.shape[1] : -1] ** 2
+    left = float((along[main.shape[1] :] ** 2).sum()) - np.concatenate([[0.0], np.cumsum(power[:slow])])
     count = np.arange(slow + 1)
     criteria = len(T) * np.log(np.maximum(left, 1e-300) / len(T)) + 2.0 * count + np.where(count, WORTH, 0.0)
     chosen = int(np.argmin(criteria))
     if not chosen or power[:chosen].mean() < _LOUDER * power[slow:].mean():
         return None
-    c = solved(main, waves[some, :chosen], X)[main.shape[1] :]
-    taken = waves[:, :chosen] @ c
+    c = solved(main, waves[:, :chosen], X)[main.shape[1] :]
+    taken = _cosines(u, chosen) @ c
     taken = taken - np.polynomial.Polynomial.fit(t, taken, 1)(t)
     size = float(np.abs(taken).max())
     # As in ``second_mode``: larger than the record itself, it is one of two that cancel.

@@ -78,8 +78,13 @@ class Identification(Alike, Rows, Drawn):
         if len(self.per_run) > 1:
             return [f"{one.runs[0].name}: {line}" for one in self.per_run[:MANY] for line in one._bare_lines()]
         bare, run = self._bare(), self.runs[0]
-        untold = [why_none(run)] if isinstance(run, Observations) else []
+        untold = [f"no envelope: {self._why_bare()}"] if isinstance(run, Observations) else []
         return untold if bare is None else [bare.in_words()]
+
+    def _why_bare(self) -> str:
+        """Why there is no envelope."""
+        run = self.runs[0]
+        return why_none(run) if isinstance(run, Observations) else "decrements are no decay: they tell Q themselves"
 
     def _equivalent(self) -> dict[str, Any] | None:
         return equivalent(self.best.law, self.units.omega_0) if self.laws else None
@@ -111,6 +116,7 @@ class Identification(Alike, Rows, Drawn):
             "telling": self.verdict.telling or None,
             "equivalent": equivalent_texts(self.best.law, self.units.omega_0) if self.laws else None,
             "envelope": None if bare is None else bare.to_dict(self.verdict.kind == IDENTIFIED),
+            "envelope_untold": self._why_bare() if bare is None else None,
             "agreed": None if together is None else together.to_dict(),
             "not_excluded": [term.to_dict() for term in self.verdict.allowed],
             "laws": [law.to_dict() for law in self.laws],

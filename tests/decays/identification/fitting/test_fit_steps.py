@@ -18,7 +18,7 @@ class Line:
 
     kinds, groups, size, after = ["x", "t"], [slice(0, 3), slice(3, 6)], 2, 2
     J = np.array([[1.0, 0.0], [1.0, 1.0], [1.0, 2.0], [2.0, 0.0], [2.0, 0.0], [2.0, 0.0]])
-    offset, absorbed = False, 0
+    offset, absorbed, predicted = False, 0, None
 
     def __init__(self, data, shape=None, reference=1.0, coarse=True):
         self.data, self.shape = np.array(data, dtype=float), np.ones(6) if shape is None else np.array(shape)
@@ -48,6 +48,29 @@ def test_the_minimum_of_a_straight_model_is_that_of_weighted_least_squares(scale
     assert converged and theta == pytest.approx(weighted(DATA, np.repeat([scales["x"], scales["t"]], 3)), abs=1e-6)
 
 
+def test_nothing_is_predicted_twice_in_a_row():
+    asked = []
+
+    class Watched(Line):
+        def predict(self, theta):
+            asked.append(theta.tolist())
+            return super().predict(theta)
+
+    fit(Watched(DATA), np.array([5.0, -3.0]))
+    assert len(asked) > 2 and all(now != then for now, then in zip(asked, asked[1:]))
+
+
+def test_what_was_predicted_is_told_only_for_its_parameters_and_tolerance():
+    model, theta = Line(DATA), np.array([1.0, 2.0])
+    model.swing.tolerance = 1e-3
+    first = least_squares.predicted_at(model, theta)[0]
+    model.J = 2 * Line.J
+    assert least_squares.predicted_at(model, theta)[0] is first
+    assert least_squares.predicted_at(model, 3 * theta)[0] == pytest.approx(6 * first)
+    model.swing.tolerance = 1e-5
+    assert least_squares.predicted_at(model, theta)[0] == pytest.approx(2 * first)
+
+
 def test_a_penalty_is_one_residual_more():
     held = lambda theta: ((theta[1] - 4.0) * 100, np.array([0.0, 100.0]))  # noqa: E731
     theta, _ = minimise(Line(DATA), np.zeros(2), {"x": 1.0, "t": 1.0}, held)
@@ -58,7 +81,7 @@ def test_a_penalty_is_one_residual_more():
 class Bent:
     """Rosenbrock's residuals, 3 (b - a^2) and 1 - a; the model ends at b = ``end``."""
 
-    swing = SimpleNamespace(free=False)
+    swing, predicted = SimpleNamespace(free=False, tolerance=None), None
     data, end = np.zeros(2), -10.0
 
     def predict(self, theta):

@@ -31,7 +31,8 @@ def straight(known=True, freedom=2.0):
         data=DATA,
         predict=lambda at: (J @ at, J),
         scale_vector=lambda scales: np.full(4, scales["x"]),
-        swing=SimpleNamespace(free=False),
+        swing=SimpleNamespace(free=False, tolerance=None),
+        predicted=None,
     )
     r = (DATA - J @ theta) / SIGMA
     return SimpleNamespace(

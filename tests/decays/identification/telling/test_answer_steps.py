@@ -55,7 +55,7 @@ def test_every_entry_of_the_json_of_an_answer(words):
     untried = law_answer("2", missed=UNTRIED, verdict="undetermined")
     found = answer(law_answer(), untried).to_dict()
     assert found.pop("laws") == [law_answer().to_dict(), untried.to_dict()]
-    assert found.pop("envelope") is None is found.pop("agreed")  # three turning points are too few
+    assert found.pop("envelope")["quality"] and found.pop("agreed") is None is found.pop("envelope_untold")
     assert found == {
         "verdict": "identified: 1", "verdict_kind": IDENTIFIED, "telling": "more swings",
         "equivalent": {"amplitudes": ["0.5", "0.32"], "Q": ["10", "20"], "zeta": ["0.05", "0.025"], "half_life": None,
@@ -85,7 +85,8 @@ def test_the_envelope_is_that_of_the_first_run_and_says_whether_a_law_is_known(w
     for kind, known in ((IDENTIFIED, True), ("undecided", False)):
         found = answer(runs=(long, SEEN), verdict=Verdict(kind, "x")).to_dict()["envelope"]
         assert found["law_known"] == known and found["period"]["estimate"] == "1"
-    assert answer(runs=(Decrements(np.ones(3), np.ones(3) / 10),)).to_dict()["envelope"] is None
+    none = answer(runs=(Decrements(np.ones(3), np.ones(3) / 10),)).to_dict()
+    assert none["envelope"] is None and none["envelope_untold"].startswith("decrements are no decay")
 
 
 def test_the_table_has_its_columns_under_each_other(words):
@@ -106,8 +107,7 @@ def test_the_page_and_the_formula_of_an_answer(words):
     found = answer(law_answer("1+2", epsilon=(SURE, SURE)), law_answer())
     page = found._page()
     assert page.title == "identified: 1" and page.lines == (*found.lines, "more swings", "a note")
-    untold = "no envelope: fewer than 4 turning points other than 0, and it has no samples"
-    assert found.lines == ("words of 1", untold)  # the law of the verdict: 1+2 contains it
+    assert found.lines == ("words of 1", found._bare().in_words())  # the law of the verdict: 1+2 contains it
     assert page.head == ("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]")
     assert page.rows == tuple(one.row() for one in found.laws)
     assert found._heading() == "identified: 1" and repr(found) == "Identification(identified: 1)"
