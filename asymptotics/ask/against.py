@@ -39,12 +39,16 @@ OWN_UNITS = excludes(
 
 @dataclass(frozen=True)
 class GivenInputs:
-    """A law and its oscillator, or the inputs of a table, as an object, or as options (also those of a header)."""
+    """A law and its oscillator, or the inputs of a table, as an object, or as options (also those of a header).
+
+    ``called``: from Python, where no options are.
+    """
 
     law: LawLike | None = None
     options: argparse.Namespace = field(default_factory=lambda: argparse.Namespace(**dict.fromkeys(INPUTS)))
     alpha: Any = None
     epsilon: Any = None
+    called: bool = False
 
     @property
     def anything(self) -> bool:
@@ -59,6 +63,8 @@ class GivenInputs:
                 raise InputError(name, "there is no table", f"{name} with table, or the law")
         if self.law is not None:
             return given_of(self.law)
+        if self.called and not self.anything:
+            raise InputError("law", "is missing", "a mapping exponent -> strength, a Law or an Oscillator")
         given = read_oscillator(self.options, "epsilon")
         # A start that was given makes x a length of its own; otherwise x is in units of x0, as the law alone has it.
         started = any(getattr(self.options, name, None) is not None for name in ("x0", "v0"))

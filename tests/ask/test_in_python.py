@@ -22,6 +22,7 @@ WRONG = {  # each failed before: FILE, NAME, --bound, --columns, --alpha A, --la
     "no law for coefficients": lambda: asy.compare({"k": [1]}, table="half-swing"),
     "one law of two": lambda: asy.table("two-law-times", law={2: 1}),
     "no such table": lambda: asy.table("smith2012.tabel1"),
+    "nothing to compare with": lambda: asy.compare({"n": [0, 1], "x": [1, -0.5]}),
     "an order too high": lambda: asy.half_swing("symbolic", order=99),
     "an option of another command": lambda: asy.sweep_command("moment", {"x": "1"}, "nowhere"),
 }
@@ -32,6 +33,14 @@ def test_an_error_of_python_names_no_word_of_the_shell(name):
     with pytest.raises(InputError) as caught:
         WRONG[name]()
     assert not SHELL.search(str(caught.value)), str(caught.value)
+
+
+def test_what_is_missing_is_named_as_python_has_it():
+    """It was "argument alpha: is missing", which `compare` refuses without a table."""
+    with pytest.raises(InputError, match=r"argument law: is missing \(accepted: a mapping"):
+        WRONG["nothing to compare with"]()
+    with pytest.raises(InputError, match="argument kind: 'none such' is unknown .*decrement, damping"):
+        asy.identify({"n": [0, 1], "x": [1, -0.5]}, kind="none such")
 
 
 @pytest.mark.parametrize("name", QUESTIONS)

@@ -131,5 +131,5 @@ def compare(
     >>> compare({"n": [1, 2], "x": [-0.4107197, 0.2635711]}, {2: 1}).rows[1].marked
     '0.26357[11]'
     """
-    said = law if isinstance(law, GivenInputs) else GivenInputs(law, alpha=alpha, epsilon=epsilon)
+    said = law if isinstance(law, GivenInputs) else GivenInputs(law, alpha=alpha, epsilon=epsilon, called=True)
     return beside(file, said, table, columns, digits).make()

@@ -23,7 +23,7 @@ from asymptotics.decays.identification.telling.result import Identification
 from asymptotics.decays.records.columns import KINDS
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import UNITS
-from asymptotics.errors import InputError, shown
+from asymptotics.errors import InputError, require_choice, shown
 from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.policy import Number, exact_double
 from asymptotics.present.inputs import csv_text
@@ -261,6 +261,8 @@ def identify(
     '1+2'
     """
     how = How(columns, decimal, skip, sheet, None if rate is None else float(rate))
+    if kind is not None:
+        require_choice(kind, "kind", (*KINDS, DAMPING))
     if kind in (None, DAMPING):
         one = len(data) == 1 if isinstance(data, list) else not isinstance(data, tuple)
         data = opened_once(data[0] if one and isinstance(data, list) else data, how) if one else data

@@ -249,8 +249,11 @@ def _tells_no_law(run: Observations) -> tuple[str, Verdict] | None:
         return "an envelope of unknown frequency has no strengths", Verdict(UNDECIDED, text, asked)
     few = len(run.n) < LEAST_POINTS and run.samples is None
     reason = run.no_law or (f"{len(run.n)} turning points tell no law from another" if few else "")
-    text = f"{UNDECIDED}: {reason}; its Q is that of the envelope"
-    return (reason, Verdict(UNDECIDED, text, "a longer record of the free decay")) if reason else None
+    text, telling = f"{UNDECIDED}: {reason}; its Q is that of the envelope", "a longer record of the free decay"
+    if few and run.has_times:
+        # Peaks are taken for neighbours: nobody has said how many periods lie between them.
+        telling += "; amplitudes that are more than a period apart have the strength of each law by --kind damping"
+    return (reason, Verdict(UNDECIDED, text, telling)) if reason else None
 
 
 def _without_law(
