@@ -46,3 +46,10 @@ def loaded(*words):
 )
 def test_a_command_loads_what_its_answer_needs(line, needed, tmp_path):
     assert loaded(*line.format(folder=tmp_path).split()) == needed
+
+
+def test_identify_loads_no_table_of_distributions():
+    """``scipy.stats`` takes half a second; the few functions that are needed stand in ``scipy.special``."""
+    code = "import sys, asymptotics.ask.questions.identify; print(*({'scipy.special', 'scipy.stats'} & {*sys.modules}))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["scipy.special"]
