@@ -15,8 +15,10 @@ from xdist.scheduler import LoadScopeScheduling
 # One thread of BLAS in each process, before NumPy is loaded: matrices here are small, and threads of several processes
 # that wait for each other make a decomposition a hundred times as long.
 os.environ |= {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+# Derivations and statements ask SymPy for the same again: more of its answers are kept than the usual 1,000.
+os.environ.setdefault("SYMPY_CACHE_SIZE", "50000")
 
-settings.register_profile("dev", max_examples=40, deadline=None)
+settings.register_profile("dev", max_examples=25, deadline=None)
 settings.register_profile("ci", max_examples=80, deadline=None, derandomize=True, database=None, print_blob=True)
 settings.register_profile("nightly", max_examples=2000, deadline=None, print_blob=True)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
@@ -44,6 +46,13 @@ RESULTS = ("tests/ask/test_hostile_objects", "tests/present/test_shown", "tests/
 """Tests of one of each type of result, which a process makes once."""
 
 
+CERTIFIED = (
+    "tests/certificates/test_certificate", "tests/testing/test_check_certificate",
+    "tests/testing/test_second_checker", "tests/testing/test_hostile_certificates",
+)  # fmt: skip
+"""Tests of the same certificates, each of which a process makes once."""
+
+
 LONGEST = (  # minutes each: what begins last ends last, on one core
     "tests/decays/identification/test_coverage.py::test_coverage_on_a_thousand_records",
     "tests/derivations/test_alterations.py::test_every_line_with_a_side_altered_stops[multiple-scales-quadratic]",
@@ -58,12 +67,19 @@ SHARES = 4
 
 
 COLLECTED = pytest.StashKey[set[str]]()
+QUICK = pytest.StashKey[set[str]]()
 
 
 @pytest.fixture
 def collected(request):
     """The names of all tests of the files that were asked for, also of those that are left out of this run."""
     return request.config.stash[COLLECTED]
+
+
+@pytest.fixture
+def quick(request):
+    """Those of them that `make test` runs."""
+    return request.config.stash[QUICK]
 
 
 def share(name):
@@ -76,7 +92,9 @@ def pytest_collection_modifyitems(config, items):
     """The first tests before all others; a slow one has a longer limit, and its share (``SHARE``, the week).
 
     ``thorough.txt`` names dear cases, for ``make test-thorough``: found redundant by ``benchmarks.suite_costs``, or, as
-    those of now, chosen by hand from the durations of a run, where others of their kind stay.
+    those of now, chosen by hand from the durations of a run.  The rule: what takes a sixth of a second or more of an
+    idle core goes there if a cheaper case of the same test, or a cheaper test of the same claim, stays in
+    ``make test``; of a test that a list of weakened bounds names, a case stays that notices (``test_time_limits.py``).
     """
     config.stash[COLLECTED] = {item.nodeid for item in items}
     thorough = {*Path(__file__).with_name("thorough.txt").read_text().splitlines()}
@@ -85,6 +103,7 @@ def pytest_collection_modifyitems(config, items):
             item.add_marker(pytest.mark.slow)
         if item.get_closest_marker("slow"):
             item.add_marker(pytest.mark.timeout(SLOW))
+    config.stash[QUICK] = {item.nodeid for item in items if not item.get_closest_marker("slow")}
     if week := os.environ.get("SHARE"):
         left_out = [i for i in items if i.get_closest_marker("slow") and share(i.nodeid) != int(week) % SHARES]
         config.hook.pytest_deselected(items=left_out)
@@ -100,6 +119,8 @@ class ByFile(LoadScopeScheduling):
             return "first"
         if nodeid.startswith(RESULTS):
             return "results"
+        if nodeid.startswith(CERTIFIED):
+            return "certified"
         return "walks" if nodeid.startswith(WALKS) else nodeid.split("::")[0]
 
 

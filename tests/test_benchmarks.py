@@ -105,14 +105,14 @@ def test_the_peers_of_which_pages_have_numbers_stand_there_and_in_the_lock_with_
 
 def test_a_run_of_all_has_the_tables_in_their_order(monkeypatch, capsys):
     assert measured.__module__ != "benchmarks.__main__"  # which a second process does not have under python -m
-    some = {"fits": "fits", "smith-rows": "smith_rows", "certificates": "certificates"}
+    some = {"fits": "fits", "smith-rows": "smith_rows", "hypergeometric": "hypergeometric"}
     monkeypatch.setattr("benchmarks.__main__.BENCHMARKS", some)
-    monkeypatch.setattr("benchmarks.__main__.QUICK", {"fits": 1, "smith-rows": 5, "certificates": 1})
+    monkeypatch.setattr("benchmarks.__main__.QUICK", {"fits": 1, "smith-rows": 5, "hypergeometric": 10})
     assert main(["--quick", "--no-peers", "--json"]) == 0
     said = capsys.readouterr()
     assert list(json.loads(said.out)) == list(some) and some.keys() & set(BESIDE) == {"fits"}
     assert json.loads(said.out)["fits"]["rows"][1][-1] == "not installed"  # the second process asks no peer either
-    assert re.search(r"^certificates: \d+ s$", said.err, re.M)
+    assert re.search(r"^hypergeometric: \d+ s$", said.err, re.M)
 
 
 def test_a_promise_that_is_not_kept_is_called_so(monkeypatch):

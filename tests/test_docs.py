@@ -13,9 +13,9 @@ import pytest
 from matplotlib.figure import Figure
 
 import asymptotics as asy
+from asymptotics.present.mathml import mathml, whole
 from asymptotics.shell.main import main
 from derivations.__main__ import names
-from paper_checks.mathml import to_mathml, whole
 
 mpl.use("Agg")
 ROOT = Path(__file__).parents[1]
@@ -96,37 +96,37 @@ def test_every_work_that_the_sources_cite_stands_in_the_bibliography():
 
 
 def test_mathml_is_an_element():
-    assert to_mathml(r"\frac{1}{2}", display=True).startswith("<math")
-    assert 'display="block"' in to_mathml("x", display=True)
+    assert mathml(r"\frac{1}{2}", display=True).startswith("<math")
+    assert 'display="block"' in mathml("x", display=True)
 
 
 def test_mathematics_is_well_set():
     """In the docs and in the report, which are set by the same function."""
-    bars = to_mathml(r"b\dot x|\dot x|^{\alpha-1}", display=True)
+    bars = mathml(r"b\dot x|\dot x|^{\alpha-1}", display=True)
     assert bars.count('lspace="0" rspace="0">&#x0007C;') == 2 and 'stretchy="false">&#x0007C;' not in bars
-    assert "<mo>&#x02032;</mo>" in to_mathml("X'")
+    assert "<mo>&#x02032;</mo>" in mathml("X'")
     space = '<mspace width="0.167em"/>'
-    assert f"<mrow>{space}<mi>cos</mi>{space}</mrow>" in to_mathml(r"r\cos\theta")
-    assert f"<msup><mrow>{space}<mi>sin</mi></mrow>" in to_mathml(r"\sin^2 x")
-    assert space not in to_mathml(r"\exp(x)") and f"</msub>{space}<mi>cos</mi><mo" in to_mathml(r"x_0\cos(t)")
-    assert "\N{EM DASH}so" in to_mathml(r"\text{---so}")
-    sides = re.findall(r'form="(\w+)" stretchy="true"[^>]*>([^<]*)<', to_mathml(r"\Big|\big\langle x\big\rangle\Big|"))
+    assert f"<mrow>{space}<mi>cos</mi>{space}</mrow>" in mathml(r"r\cos\theta")
+    assert f"<msup><mrow>{space}<mi>sin</mi></mrow>" in mathml(r"\sin^2 x")
+    assert space not in mathml(r"\exp(x)") and f"</msub>{space}<mi>cos</mi><mo" in mathml(r"x_0\cos(t)")
+    assert "\N{EM DASH}so" in mathml(r"\text{---so}")
+    sides = re.findall(r'form="(\w+)" stretchy="true"[^>]*>([^<]*)<', mathml(r"\Big|\big\langle x\big\rangle\Big|"))
     assert sides == [("prefix", "|"), ("prefix", "&#x027E8;"), ("postfix", "&#x027E9;"), ("postfix", "|")]
-    assert to_mathml(r"\vert x\vert").count('lspace="0" rspace="0">&#x0007C;') == 2
+    assert mathml(r"\vert x\vert").count('lspace="0" rspace="0">&#x0007C;') == 2
     for negative, form in (("(-1)", ' form="prefix"'), ("a=-b", ' form="prefix"'), ("a-b", ""), ("(a)-b", "")):
-        assert f"<mo{form}>&#x02212;</mo>" in to_mathml(negative), negative
-    assert "<mo>&#x0223C;</mo>" in to_mathml(r"x\sim y") and 'rspace="0">&#x0002F;' in to_mathml("k/m")
+        assert f"<mo{form}>&#x02212;</mo>" in mathml(negative), negative
+    assert "<mo>&#x0223C;</mo>" in mathml(r"x\sim y") and 'rspace="0">&#x0002F;' in mathml("k/m")
 
 
 def test_no_command_of_latex_is_left_in_a_formula():
     """A command that the converter does not know would stand on the page as it is written."""
-    assert "\\" in to_mathml(r"\unheard{x}")  # a command it does not know is seen
+    assert "\\" in mathml(r"\unheard{x}")  # a command it does not know is seen
     count = 0
     for path in sorted((ROOT / "docs").rglob("*.md")):
         text = re.sub(r"```.*?```|`[^`\n]*`", "", path.read_text(), flags=re.DOTALL)
         for both in re.findall(r"\$\$(.+?)\$\$|\$([^$\n]+)\$", text, re.DOTALL):
             count += 1
-            assert "\\" not in to_mathml(both[0] or both[1]), (path.name, both)
+            assert "\\" not in mathml(both[0] or both[1]), (path.name, both)
     assert count > 500
 
 

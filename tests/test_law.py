@@ -9,6 +9,7 @@ from flint import arb, ctx, fmpq
 from asymptotics.errors import InputError
 from asymptotics.law import Law, Oscillator
 from asymptotics.terms import Term
+from tests.each import each
 
 
 def test_equal_exponents_are_merged_and_the_law_says_so():
@@ -22,7 +23,7 @@ BAD = [float("nan"), float("inf"), True, 1j, None, "x", [], "nan", "1j", Decimal
        sympy.nan, sympy.oo, sympy.Float("0.5"), sympy.Symbol("a"), "__import__('os')"]  # fmt: skip
 
 
-@pytest.mark.parametrize("bad", BAD, ids=str)
+@each("bad", BAD)
 def test_what_is_not_an_exact_number_is_refused_by_name(bad):
     for argument, make in (("alpha", lambda: Law.from_terms([Term(1, bad)])), ("strength", lambda: Law({2: bad}))):
         with pytest.raises(InputError) as caught:
@@ -32,7 +33,7 @@ def test_what_is_not_an_exact_number_is_refused_by_name(bad):
         Oscillator({2: 1}, mass=bad)
 
 
-@pytest.mark.parametrize(
+@each(
     ("mapping", "spring", "argument"),
     [
         ({}, None, "law"),

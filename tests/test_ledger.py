@@ -11,7 +11,10 @@ from tests.ledger import BESIDES, CERTIFICATE, CERTIFIED, LAWS, PAGE, REFUSED, c
 
 REWRITES = "python -m tests.ledger rewrites it"
 # A second or two each, and a class of their kind stays in make test.
-DEARER = ("an irrational power", "a sum with dry friction", "air and a spring x^3", "a loss that knows the place")
+DEARER = (
+    "another rational power", "an irrational power", "a sum with dry friction", "air and a spring x^3",
+    "a start in motion", "a pendulum in air", "a loss that knows the place",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("law", [pytest.param(n, marks=pytest.mark.slow) if n in DEARER else n for n in LAWS])

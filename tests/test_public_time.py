@@ -19,6 +19,7 @@ from asymptotics.running import budget as module
 from asymptotics.running import public
 from asymptotics.running.budget import budget, seconds_left, tick
 from asymptotics.testing import oracles
+from tests.each import each
 from tests.every_call import CALLS, parameters
 from tests.present.every_type import types
 
@@ -74,7 +75,7 @@ def timed(function):
     return parameter is not None and parameter.kind is parameter.KEYWORD_ONLY and hasattr(function, "__wrapped__")
 
 
-@pytest.mark.parametrize("name", sorted(functions()))
+@each("name", sorted(functions()))
 def test_every_public_function_has_a_time(name):
     assert timed(functions()[name])
 
@@ -85,7 +86,7 @@ def test_every_public_method_has_a_time_or_a_reason():
     assert len(methods()) - len(without) > 30
 
 
-@pytest.mark.parametrize("name", sorted({*CALLS} & functions().keys() - {"plot"}))
+@each("name", sorted({*CALLS} & functions().keys() - {"plot"}))
 def test_a_time_that_is_none_is_refused_by_name(name):
     call = getattr(asy, name)
     usual = {p: None for p, about in parameters(call).items() if about.default is about.empty}
@@ -248,6 +249,7 @@ def test_the_alarm_waits_until_the_collector_is_done(monkeypatch):
         while monotonic() < end:
             pass
 
+    gc.freeze()  # all that other tests have left would be searched, for a second
     gc.callbacks.append(slow)
     try:
         with pytest.raises(LimitError), public.limited(0.001):

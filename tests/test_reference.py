@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.each import each
+
 ROOT = Path(__file__).parents[1]
 NAMES = re.findall(r"^reference/([\w.]+)$", (ROOT / "docs/api.md").read_text(encoding="utf-8"), re.MULTILINE)
 UNTYPED = {  # Matplotlib's own, and what is read by its columns or as an array, whatever library made it
@@ -51,7 +53,7 @@ def untold(name, function):
     return set(inspect.signature(function).parameters) - named
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_every_parameter_has_a_type_and_a_meaning(reference, name):
     for call, function in calls(reference.thing(name)):
         assert not untold(call, function), call
@@ -60,14 +62,14 @@ def test_every_parameter_has_a_type_and_a_meaning(reference, name):
             assert typed or parameter in UNTYPED | EVERYWHERE, (call, parameter)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_no_signature_spells_out_a_type_that_has_a_name(reference, name):
     for call, function in calls(reference.thing(name)):
         shown = str(reference.readable(function))
         assert "Decimal" not in shown and "asymptotics." not in shown and " at 0x" not in shown, (call, shown)
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if name[0].islower() and name.rpartition(".")[2][0].islower()])
+@each("name", [name for name in NAMES if name[0].islower() and name.rpartition(".")[2][0].islower()])
 def test_every_function_says_what_it_returns_and_has_an_example(reference, name):
     found = reference.thing(name)
     told, shown = inspect.getdoc(found), str(inspect.signature(found).return_annotation)

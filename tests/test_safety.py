@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.each import each
 from tests.sources import nodes
 
 ROOT = Path(__file__).parents[1]
@@ -57,7 +58,7 @@ def test_nothing_evaluates_text():
     assert {path: found for path in FILES if (found := faults(nodes(path)))} == {}
 
 
-@pytest.mark.parametrize("text", [
+@each("text", [
     "eval(x)", "import pickle", "from pickle import loads", "sympy.sympify(x)", "from sympy import sympify",
     "sympy.S(f'{x}')", "sympy.lambdify(a, f'{b}')", "subprocess.run(x, shell=True)", "__import__('os')",
     "builtins.exec(x)", "os.system(x)", "from sympy.parsing.sympy_parser import parse_expr",

@@ -1,5 +1,6 @@
 """No test can hang: each has a limit of time, and one that runs into it fails and is named."""
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -47,6 +48,46 @@ def test_a_case_with_another_name_is_noticed():
     here = "tests/test_time_limits.py::test_a[{}]"
     assert unknown([here.format(1), here.format(2)], {here.format(1)}) == [here.format(2)]
     assert unknown(["tests/test_none.py::test_a", "tests/test_law.py::test_a"], set()) == ["tests/test_none.py::test_a"]
+
+
+LISTS = ("weakened_bounds.json", "bound_sites.json")
+NEVER_QUICK = {
+    f"tests/{name}.py"
+    for name in (
+        "curves/test_implicit", "decays/identification/judging/test_exact_ratio", "decays/identification/test_coverage",
+        "flow/wells/test_random_wells", "motions/test_asymptotic_springs_error", "present/test_figures",
+        "properties/test_swings",
+    )
+}  # fmt: skip
+"""Files whose claims have cheaper tests in others."""
+
+
+def never_quick(names, collected, quick):
+    """Of these tests and files those that were collected, and of which no case is quick."""
+
+    def parts(tests):
+        return {part for name in tests for part in (name, name.split("[")[0], name.split("::")[0])}
+
+    there, stay = parts(collected), parts(quick)
+    return {name for name in names if name in there and name not in stay}
+
+
+def test_what_notices_a_weakened_bound_and_a_test_of_every_file_stay_in_make_test(request, collected, quick):
+    """Whatever else is moved to the thorough tests; which planted faults the cases that stay notice, they ask."""
+    lists = [json.loads((Path(__file__).parents[1] / "benchmarks" / name).read_text()) for name in LISTS]
+    named = {entry["test"] for entry in [*lists[0], *lists[1]["answers"].values()] if "test" in entry}
+    assert len(named) > 300 and never_quick(named, collected, quick) == set()
+    if not any("::" in asked for asked in request.config.args):
+        files = {name.split("::")[0] for name in collected if name.startswith("tests/")}
+        assert never_quick(files, collected, quick) == NEVER_QUICK & files
+
+
+def test_what_left_make_test_whole_is_noticed():
+    every = {"tests/test_a.py::test_a[1]", "tests/test_a.py::test_a[2]", "tests/test_b.py::test_b"}
+    asked = {"tests/test_a.py::test_a", "tests/test_a.py::test_a[2]", "tests/test_b.py", "tests/test_c.py"}
+    stays = {"tests/test_a.py::test_a[1]"}
+    assert never_quick(asked, every, stays) == {"tests/test_a.py::test_a[2]", "tests/test_b.py"}
+    assert never_quick(asked, every, every) == set()
 
 
 @pytest.mark.slow

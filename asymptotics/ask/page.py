@@ -11,8 +11,9 @@ from asymptotics.errors import InputError
 from asymptotics.law_given import Given
 from asymptotics.made_by import line as made_by_line
 from asymptotics.present.drawn import Drawn, pictured
-from asymptotics.present.html import block, mathml
+from asymptotics.present.html import block
 from asymptotics.present.letters import defined
+from asymptotics.present.mathml import mathml
 from asymptotics.present.page import displayed, figure, page, paragraphs, table, text
 from asymptotics.present.shown import Shown
 from asymptotics.present.signs import signs

@@ -73,7 +73,8 @@ class MotionTurningPoints(TurningPoints):
 def of_motion(moving: Oscillator, found: TurningPoints) -> MotionTurningPoints:
     """The same points, of the motion of this oscillator."""
     told = MotionTurningPoints(**{f.name: getattr(found, f.name) for f in fields(found) if f.init}, moving=moving)
-    return replace(told, points=tuple(replace(p, frame=told.frame) for p in told.points))
+    frame = told.frame
+    return replace(told, points=tuple(replace(p, frame=frame) for p in told.points))
 
 
 def turning_points_in_units(

@@ -3,6 +3,7 @@
 Immutable; every number of the table is a decimal with its label, and the curve alone is in doubles.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -165,13 +166,24 @@ class EquivalentDamping(Rows, Drawn):
 
     def _page(self) -> Page:
         """The value first: Q at the amplitudes; then the formulas and the table."""
-        unit = f" {self._unit('amplitude')}".rstrip()
-        told = ", ".join(f"{(m.motion or m.first).Q or m.first.Q} at {m.amplitude}{unit}" for m in self.rows[:4])
-        title = f"Q = {told}" if told else f"Q = {self.formulas['Q']}"
+        title = self._at_amplitudes("Q")
         law = "x'|x'|^(alpha-1)" if self.oscillator is None else str(self.oscillator.law)
         worth = "; ".join(dict.fromkeys(m.guarantee for row in self.rows for m in row.parts.values()))
         lines = (f"equivalent damping of {law}", worth or "formulas of first order, exact", *self.notes)
         return Page(title, lines, tuple(self.header()) if self.rows else (), tuple(map(tuple, self.table())))
+
+    def _at_amplitudes(self, quantity: str) -> str:
+        """A quantity at the first amplitudes, of the motion where it has it, or its formula."""
+        unit, name = f" {self._unit('amplitude')}".rstrip(), OF_MOTION.get(quantity, quantity)
+        values = [
+            (m.amplitude, m.motion and getattr(m.motion, name), getattr(m.first, quantity)) for m in self.rows[:4]
+        ]
+        own = f" {self._unit(quantity)}".rstrip()
+        told = ", ".join(f"{motion or first}{own} at {amplitude}{unit}" for amplitude, motion, first in values)
+        return f"{quantity.replace('_', ' ')} = {told or self.formulas[quantity]}"
+
+    def _headed(self, style: Mapping[str, Any]) -> str:
+        return self._at_amplitudes(style.get("quantity", "Q"))
 
     def _table(self) -> dict[str, list[Any]]:
         told = [(part, row.amplitude, row.parts[part]) for part in PARTS for row in self.rows if part in row.parts]

@@ -22,6 +22,7 @@ from functools import reduce
 from math import isqrt
 from numbers import Rational
 from operator import mul
+from typing import Any
 
 from flint import arb, fmpq
 
@@ -47,7 +48,7 @@ MAX_ORDER = 100_000
 """No series is that long; what an order costs is estimated where it is computed."""
 RATIONAL_FORMS = "3, 3/2, 0.1, -2.5e-3"
 REAL_FORMS = RATIONAL_FORMS + ", sqrt(2), sqrt(3/2)"
-_ZERO, _ONE = Fraction(0), Fraction(1)
+_ZERO, _ONE, _PLAIN = Fraction(0), Fraction(1), (int, Fraction)
 
 
 @dataclass(frozen=True, init=False, repr=False, eq=False)
@@ -93,7 +94,7 @@ class ExactReal(Shown):
     @property
     def is_rational(self) -> bool:
         """Whether the number is rational (then it equals ``coefficient``)."""
-        return self.radicand == 1
+        return self.radicand is _ONE or self.radicand == 1  # a copy from another process has a 1 of its own
 
     @property
     def is_integer(self) -> bool:
@@ -137,12 +138,13 @@ class ExactReal(Shown):
                 return self.ball()
         return found
 
-    def _compared(self, other: object) -> int:
+    def _compared(self, other: Any) -> int:
         """The sign of self - other, whatever the two roots."""
-        y = _exact(other)
+        # Most numbers that are compared are rational, and one of them plain: no difference has to be made.
+        plain = self.is_rational and type(other) in _PLAIN
+        y = self if plain else _exact(other)
         if y.is_rational:
-            # Most numbers that are compared are rational: no difference of them has to be made.
-            a, b = self.coefficient, y.coefficient
+            a, b = self.coefficient, other if plain else y.coefficient
             if not self.is_rational:
                 return (self - y).sign
             difference = a.numerator * b.denominator - b.numerator * a.denominator

@@ -11,9 +11,9 @@ Mathematics is typeset: that of a line by signs and raised and lowered letters, 
 from base64 import b64encode
 from collections.abc import Iterable, Sequence
 from html import escape
-from importlib import import_module
 
 from asymptotics.errors import InputError
+from asymptotics.present.mathml import mathml
 from asymptotics.present.signs import signs
 
 
@@ -46,16 +46,6 @@ def _set(cell: object) -> str:
         return mathml(cell)
     except InputError:  # without the extra it is left to the MathJax of a notebook
         return f"${escape(cell)}$"
-
-
-def mathml(latex: str, display: str = "inline") -> str:
-    """One formula by latex2mathml; InputError where that, of the extra report, is not installed."""
-    try:
-        convert = import_module("latex2mathml.converter").convert  # an extra, which pages alone need
-    except ModuleNotFoundError as error:
-        accepted = "an installation with the extra report: pip install '.[report]' in a clone"
-        raise InputError("html", "formulas are set by latex2mathml, which is not installed", accepted) from error
-    return str(convert(str(latex), display=display))
 
 
 def image(svg: bytes, title: str) -> str:

@@ -17,7 +17,7 @@ from pathlib import Path
 from string import Template
 
 from asymptotics.errors import printable
-from asymptotics.present.html import mathml
+from asymptotics.present.mathml import mathml
 from asymptotics.present.signs import signs
 
 _SHELL = Path(__file__).with_name("page.html")
@@ -81,7 +81,7 @@ def _unnested(latex: str) -> str:
 
 def displayed(latex: str) -> str:
     """Formulas as MathML, one a line; InputError where latex2mathml, of the extra report, is not installed."""
-    return "".join(mathml(each, "block") for each in formulas(latex))
+    return "".join(mathml(each, display=True) for each in formulas(latex))
 
 
 def figure(svg: str, label: str) -> str:

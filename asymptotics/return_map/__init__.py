@@ -2,7 +2,7 @@
 
 Chebyshev interpolation of an analytic function with an error by Cauchy's inequality on a Bernstein ellipse (Trefethen,
 Approximation Theory and Approximation Practice, theorems 8.1 and 8.2); the map is analytic in the local strengths by a
-majorant (``expansions.half_swings.finite_majorant``).
+majorant (``expansions.half_swings.finite_majorant``, ``quarter_majorant``).
 
 Derivation ``quarter-collocation``.
 """

@@ -2,7 +2,8 @@
 
 The half-swing from the amplitude A is that from X = 1 with the strengths delta_i = epsilon_i A^(alpha_i - 1): the ratio
 of amplitudes q/p and the duration T are functions of the delta_i alone, analytic in every polydisc on which the
-majorant of ``expansions.half_swings.finite_majorant`` exists.
+majorant of ``expansions.half_swings.finite_majorant`` exists; quarter-swings with all alpha_i >= 1 are where that of
+``quarter_majorant`` does.
 
 * If all alpha_i - 1 = g k_i with natural k_i (one law: k = 1; (1, 2): k = 0, 1): z = A^g, delta_i = epsilon_i z^k_i,
   analytic at z = 0 too, where the motion is linear;
@@ -33,6 +34,7 @@ from asymptotics.expansions.half_swings.finite_majorant import Majorant, majoran
 from asymptotics.flow.damping import Damping
 from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.exact import ExactReal
+from asymptotics.return_map.quarter_majorant import quarter_majorant
 
 MAX_POWER = 12
 """Larger k_i shrink the disc more than z = 0 is worth."""
@@ -106,6 +108,8 @@ class Coordinate:
         if self.root is None:
             other = [d.upper() for d in self.strengths(centre - half_axis)]
             radii = [a.max(b) for a, b in zip(radii, other, strict=True)]
+        if self.is_quartered and not whole:
+            return quarter_majorant(self.exponents, radii)
         return majorant(self.exponents, radii, whole=whole)
 
 

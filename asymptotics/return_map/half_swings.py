@@ -7,9 +7,9 @@ strengths at the next turning point, L = ln(q/p) is the root of
 
 For alpha_i >= 1 the left-hand side grows at least at the rate 1, so any number is off by at most its residual there
 (derivation ``quarter-swing-tail``); that number is read off an interpolant of L that nobody has to prove.  R and T_q
-are analytic in a wider polydisc than the half-swing, and interpolation in z (``coordinate``) takes fewer nodes.  Where
-z -> -z turns the sign of every strength (one law), one interpolant on [-z, z] serves both quarters.  With z = ln A the
-half-swing ends at z + L.
+are analytic in a far wider polydisc than the half-swing (``quarter_majorant``), and interpolation in z (``coordinate``)
+takes fewer nodes.  Where z -> -z turns the sign of every strength (one law), one interpolant on [-z, z] serves both
+quarters.  With z = ln A the half-swing ends at z + L.
 
 *An uncertain amplitude.*  For alpha_i >= 1 the logarithms of two amplitudes do not part (derivation ``ratio-growth``):
 where z' lies in a ball about z, z'_end lies between z_end (z'/z) and z_end (z/z'), and T is that of both balls.

@@ -3,14 +3,15 @@
 A panel is worth its nodes if it saves more half-swings than it costs.
 
 * Where z is a power of the amplitude: an interval [0, z_top] out of a fixed row, z_top = 1/2 of the reach and ever
-  shorter by the root of 2 (``from_zero``), and 4/5 (``farthest``), so that a map that is asked again finds what it has.
+  shorter by the root of 2 (``from_zero``), and 4/5 or 9/10 (``farthest``), so that a map that is asked again finds what
+  it has.
 * Where z = ln A: from the present amplitude to a smaller one, out of a few (``between``).  Amplitudes to come are
   guessed from the averaged law of each term, A' = -M_(alpha+1) epsilon A^alpha, followed in turn for a half-swing.
 
 >>> from asymptotics.numbers.exact import ExactReal
 >>> linear_and_quadratic = Coordinate.of([(arb(1) / 20, ExactReal(1)), (arb(1), ExactReal(2))])
 >>> long, short = (from_zero(linear_and_quadratic, z, 120, quartered=True) for z in (0.2, 1e-3))
->>> (long.first, 0.2 < long.last < 0.5, 30 < long.nodes < 100, short.last <= long.last) if long and short else None
+>>> (long.first, 0.2 < long.last < 0.5, 20 < long.nodes < 60, short.last <= long.last) if long and short else None
 (0.0, True, True, True)
 >>> from_zero(linear_and_quadratic, 1.0, 120, quartered=True) is None
 True
@@ -35,12 +36,17 @@ MIN_STRETCH, MAX_STRETCH = 1.5, 1e6
 _LOOK_AHEAD = 3000
 _RANGE = 990.0  # log2 of the largest |z| looked at
 # In the unit in which a half-swing by pieces costs 1.  They decide only from how many half-swings on a panel is worth
-# while.  Of an interval of ln A, measured at 80 bits for alpha = 3/2; of one from 0, a quarter-swing and each pair of
-# two of them, which the matrices are made of: fitted to 3/2, 3, 5/2 and (1, 2) at 80 and 136 bits, where panels of 8 to
-# 142 nodes cost 2 to 60 half-swings and the fit is off by at most a third.
+# while.  Of an interval of ln A, measured at 80 bits for alpha = 3/2; of one from 0, a quarter-swing and each node on
+# its way: fitted to 3/2, 2, 3 and (1, 2) at 80, 3/2 and 2 at 136 and 3/2 at 300 bits, where panels of 12 to 106 nodes
+# cost 4 to 84 half-swings and the fit is off by at most a half, to 6/5 and 6 at 80 by as much again where they are
+# strong.
 _AT_ONCE, _A_NODE = 4, 0.6  # what quarter-swings cost however few they are, and each of them
-_A_QUARTER, _A_PAIR = 0.12, 0.002
-_OF_REACH, _FARTHEST = tuple(2.0 ** -(k / 2) for k in range(2, 43)), 0.8  # the last places of the panels from 0
+_A_QUARTER, _A_PLACE = 0.018, 0.0023
+_OF_REACH = tuple(2.0 ** -(k / 2) for k in range(2, 43))  # the last places of the panels from 0
+# Of the last one, by whether its nodes are quarter-swings.  Half-swings have to be analytic around it, and these are;
+# their collocation takes 1.6 times as many nodes at 0.9 as at 0.5, and 2 to 4 times as many at 1, or fails.
+_FARTHEST = {True: 0.9, False: 0.8}
+_INSIDE = 0.8  # of the reach of the quarter-swings, so that there is room for an ellipse
 # Half-swings by pieces, or the part of the shortest: what a longer panel may cost, as the first of a map and after it;
 # by whether its nodes are quarter-swings.
 _CHEAP, _DEARER = {True: (6, 22), False: (20, 50)}, 1.1
@@ -49,6 +55,9 @@ _DOWN = tuple(
 )
 _DENSE = 8  # starts looked at one by one; then ever fewer
 _STEPS, _FINE = 24, 200  # of a quarter; one reach is found for many half-swings
+# ln of what the steepest strength grows by, at most, in a quarter-swing; smaller alpha - 1, which doubles may not tell
+# from 0, are taken for this one.
+_STEEP, _FLAT = 2.5, 1 / 16
 _MARGIN = 2.0**-10  # a panel of ln A begins that much above the amplitude it is made for: the error of it lies inside
 
 
@@ -56,8 +65,8 @@ _MARGIN = 2.0**-10  # a panel of ln A begins that much above the amplitude it is
 class PanelPlan:
     """z from ``first`` to ``last`` on ``nodes`` nodes, for ``served`` half-swings, after ``wait`` without it.
 
-    ``stretch``: the half axis of the ellipse in units of the panel's half width; ``sides``: of an interval from 0, 1
-    where one set of quarter-swings serves forwards and backwards, else 2.
+    ``stretch``: the half axis of the ellipse in units of the panel's half width; of an interval from 0 ``sides``, 1
+    where one set of quarter-swings serves forwards and backwards, else 2, and the nodes ``along`` each of them.
     """
 
     first: float
@@ -67,6 +76,7 @@ class PanelPlan:
     served: int = 0
     wait: int = 0
     sides: int = 0
+    along: float = 0
 
     def work(self, quartered: bool) -> int:
         """What the nodes cost, in half-swings by pieces."""
@@ -74,7 +84,7 @@ class PanelPlan:
             return self.nodes
         if not self.sides:
             return _AT_ONCE + int(_A_NODE * self.nodes)
-        return 1 + ceil(self.sides * self.nodes * (_A_QUARTER + _A_PAIR * self.nodes))
+        return 1 + ceil(self.sides * self.nodes * (_A_QUARTER + _A_PLACE * self.along))
 
 
 @dataclass(frozen=True)
@@ -131,15 +141,18 @@ def from_zero(coordinate: Coordinate, z: float, bits: int, *, quartered: bool, a
 
 def farthest(coordinate: Coordinate, bits: int, *, quartered: bool) -> PanelPlan:
     """The interval from 0 that ends next to the reach: dear, for places that no other holds."""
-    return _up_to(coordinate, _FARTHEST, bits, quartered)
+    return _up_to(coordinate, _FARTHEST[quartered], bits, quartered)
 
 
+@lru_cache(maxsize=256)
 def _up_to(coordinate: Coordinate, share: float, bits: int, quartered: bool) -> PanelPlan:
-    # The half width is last/2, and the ellipse may go as far as the reach: (reach - last/2)/(last/2).  Quarters of one
-    # law have the middle 0.
-    stretch = 1 / share if quartered and coordinate.is_odd else 2 / share - 1
-    last, sides = share * reach_of(coordinate, whole=not quartered), 1 if coordinate.is_odd else 2
-    return PanelPlan(0.0, last, stretch, _count(bits, stretch), sides=sides)
+    last, odd = share * places_of(coordinate, quartered=quartered), coordinate.is_odd
+    # The half width is last/2, and the ellipse may go as far as the reach.  Quarters of one law have the middle 0.
+    middle, half = (0.0, last) if quartered and odd else (last / 2, last / 2)
+    stretch = widest(coordinate, middle, half, whole=not quartered) or MIN_STRETCH  # of an interval that is empty
+    # Measured as well: 74 nodes at 80 bits for a share of 0.15, 103 for 0.5, 169 for 0.9.
+    along = 0.83 * bits / (1 - 0.67 * share)
+    return PanelPlan(0.0, last, stretch, _count(bits, stretch), sides=1 if odd else 2, along=along)
 
 
 def pieces_from_zero(coordinate: Coordinate, log_size: float, remaining: int, bits: int) -> int:
@@ -218,13 +231,25 @@ def _moment(p: float) -> float:
 
 
 @lru_cache(maxsize=64)
-def reach_of(coordinate: Coordinate, *, whole: bool = True) -> float:
-    """About the largest |z| with a majorant (of the quarter-swing, if not ``whole``), or 0: bisection of log2 |z|."""
+def reach_of(coordinate: Coordinate, *, whole: bool = True, by_modulus: bool = False) -> float:
+    """About the largest |z| with a majorant (of the quarter-swing, if not ``whole``), or 0: bisection of log2 |z|.
+
+    ``by_modulus``: of the quarter-swing as ``finite_majorant`` bounds it.
+    """
     low, high = -_RANGE, _RANGE
     while high - low > 0.03:
         middle = (low + high) / 2
-        low, high = (middle, high) if _exists(coordinate, 0.0, 2.0**middle, whole, _FINE) else (low, middle)
+        there = _exists(coordinate, 0.0, 2.0**middle, whole, _FINE, by_modulus=by_modulus)
+        low, high = (middle, high) if there else (low, middle)
     return float(2.0**low) if low > -_RANGE else 0.0
+
+
+def places_of(coordinate: Coordinate, *, quartered: bool) -> float:
+    """What the last places of panels from 0 are shares of."""
+    if not quartered:
+        return reach_of(coordinate)
+    # Quarter-swings are analytic farther out than by modulus, but so their collocation (``quarters``) bounds |c D|.
+    return min(reach_of(coordinate, whole=False, by_modulus=True), _INSIDE * reach_of(coordinate, whole=False))
 
 
 def widest(coordinate: Coordinate, middle: float, half: float, *, whole: bool = True) -> float:
@@ -245,21 +270,31 @@ def widest(coordinate: Coordinate, middle: float, half: float, *, whole: bool = 
     return below
 
 
-def _exists(coordinate: Coordinate, middle: float, half_axis: float, whole: bool = True, count: int = _STEPS) -> bool:
+def _exists(
+    coordinate: Coordinate,
+    middle: float,
+    half_axis: float,
+    whole: bool = True,
+    count: int = _STEPS,
+    *,
+    by_modulus: bool = False,
+) -> bool:
     """Whether the majorant seems to exist there: its equation by midpoint steps in doubles."""
     try:
         high, low = (_strengths(coordinate, middle + side * half_axis) for side in (1, -1))
         sizes = [max(pair) for pair in zip(high, low, strict=True)] if coordinate.root is None else high
         growth, slopes = 0.0, [abs(float(a) - 1) for a in coordinate.exponents]
+        most = 4.0 if whole or by_modulus else _STEEP / max(*slopes, _FLAT)
         steps = _quarter(tuple(map(float, coordinate.exponents)), count)
         for sines, products in steps if whole else steps[:count]:
             strengths = [size * exp(slope * growth) for size, slope in zip(sizes, slopes)]
             room = 1 - sum(map(mul, strengths, products))
-            # 1 - C* so small, or a growth e^4, in doubles: the balls of 256 pieces would not prove it, or the bound
+            # 1 - C* so small, or so much growth, in doubles: the balls of 256 pieces would not prove it, or the bound
             # would be useless.
-            if not room > 0.02 or growth > 4:
+            if not room > 0.02 or growth > most:
                 return False
-            growth += pi / 2 / count * sum(map(mul, strengths, sines)) / room
+            # Of a quarter the real part counts, which grows less (``quarter_majorant``): 2 - room = 1 + C*.
+            growth += pi / 2 / count * sum(map(mul, strengths, sines)) / (room if whole or by_modulus else 2 - room)
     except OverflowError:
         return False
     return True

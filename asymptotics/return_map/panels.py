@@ -8,8 +8,8 @@ exponent every strength, start and half-swing is read off it.  It lays a panel o
 those that it could not serve before, repay it; what no panel serves is integrated.  Only the choice is made in doubles,
 and it depends on what was asked before: times differ, and digits, which are proved, do not.
 
-Every real amplitude in the interval lies in the polydisc of the majorant, where the motion reaches theta = pi: the next
-turning point exists.
+Every real amplitude in the interval lies in the polydisc of the majorant, where the motion reaches theta = pi, or both
+its quarters the centre: the next turning point exists.
 
 >>> from asymptotics.law import Law
 >>> with ctx.workprec(80):
@@ -43,7 +43,7 @@ from asymptotics.return_map.panel_plan import (
     from_zero,
     path,
     pieces_from_zero,
-    reach_of,
+    places_of,
     verified,
 )
 from asymptotics.return_map.ray import Ray, ray_of
@@ -179,7 +179,8 @@ class ReturnMap:
         place, c = float(z.upper()), self.coordinate
         plan, beyond = from_zero(c, place, self.bits, quartered=self.quartered, again=bool(self.made)), 0.0
         if plan is None:
-            plan, beyond = farthest(c, self.bits, quartered=self.quartered), 0.5 * reach_of(c, whole=not self.quartered)
+            plan = farthest(c, self.bits, quartered=self.quartered)
+            beyond = 0.5 * places_of(c, quartered=self.quartered)
         if not place <= plan.last or plan in self.refused:
             return None
         missed = self.missed[plan] = self.missed.get(plan, 0) + 1

@@ -14,16 +14,16 @@ import re
 
 from docutils import nodes
 
-from paper_checks.mathml import to_mathml, whole
+from asymptotics.present.mathml import mathml, whole
 
 
 def _inline(self, node):
-    self.body.append(to_mathml(node.astext()))
+    self.body.append(mathml(node.astext()))
     raise nodes.SkipNode
 
 
 def _display(self, node):
-    self.body.append(f'<div class="math-display">{to_mathml(node.astext().strip(), display=True)}</div>')
+    self.body.append(f'<div class="math-display">{mathml(node.astext().strip(), display=True)}</div>')
     raise nodes.SkipNode
 
 

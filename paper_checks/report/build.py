@@ -15,11 +15,11 @@ from asymptotics.made_by import made_by
 from asymptotics.papers.search import words_for_pages
 from asymptotics.present.figures import renderings
 from asymptotics.present.files import write_all
+from asymptotics.present.mathml import mathml, whole
 from asymptotics.tables.cells import Formula
 from asymptotics.tables.registry import build
 from asymptotics.tables.standard_set import validated
 from paper_checks.data import source
-from paper_checks.mathml import to_mathml, whole
 from paper_checks.registry import FOLLOW_UPS, IDENTIFIERS, PAPERS, Entry, Shortfall
 from paper_checks.report import pages
 from paper_checks.report.certificates import (
@@ -241,8 +241,8 @@ def _template(name: str) -> jinja2.Template:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters["inline_mathml"] = to_mathml
-    environment.filters["mathml"] = lambda latex: to_mathml(latex, display=True)
+    environment.filters["inline_mathml"] = mathml
+    environment.filters["mathml"] = lambda latex: mathml(latex, display=True)
     environment.filters |= {"tex": tex, "cell": cell}
     environment.filters |= {"said": said, "counted": counted, "a_kind": a_kind, "note": plain_note}
     environment.filters["signs"] = inline

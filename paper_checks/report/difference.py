@@ -9,7 +9,7 @@ r"""What a correction changes: the tokens of the corrected formula that the prin
 import re
 from difflib import SequenceMatcher
 
-from paper_checks.mathml import to_mathml
+from asymptotics.present.mathml import mathml
 
 COLOUR = "#b45309"
 TOKEN = re.compile(r"\\[A-Za-z]+\s*|\\.|\s+|.", re.DOTALL)
@@ -48,7 +48,7 @@ def _coloured(span: str) -> str:
 
 def _converts(formula: str) -> bool:
     try:
-        to_mathml(formula)
+        mathml(formula)
     except Exception:  # noqa: BLE001 (the converter has no error of its own)
         return False
     return True

@@ -9,6 +9,7 @@ import pytest
 
 from asymptotics.ask.registry import ANSWERING, loaded
 from asymptotics.shell.main import main
+from tests.each import each
 from tests.every_question import example
 
 ASKED = [name for name in ANSWERING if loaded(name).in_header and name != "damping-law"]
@@ -55,7 +56,7 @@ def stated(path, request, columns=("k", "c_k", "csv", "list"), row="1,0.5,1,2"):
     path.write_text(text.getvalue() + row + ",a\n")
 
 
-@pytest.mark.parametrize("header", HEADERS)
+@each("header", HEADERS)
 def test_a_hostile_header_is_refused_by_name(header, capsys, tmp_path):
     stated(path := tmp_path / "bad.csv", header)
     if header.startswith("damping-law"):
@@ -105,7 +106,7 @@ JSON = {
 }
 
 
-@pytest.mark.parametrize("text", JSON)
+@each("text", JSON)
 def test_what_is_no_export_is_refused_by_name(text, capsys, tmp_path):
     path = tmp_path / "bad.json"
     path.write_text(text)

@@ -7,6 +7,7 @@ import pytest
 from asymptotics.ask.moving import PHYSICAL
 from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.shell.main import main
+from tests.each import each
 from tests.every_question import example, options_of, without_law
 
 STARTED = [name for name in QUESTIONS if "--x0" in options_of(name)]
@@ -52,8 +53,8 @@ def test_a_file_says_the_plain_numbers_and_is_compared_back(name, tmp_path, caps
         assert summary["all_right"] == summary["values"] > 0
 
 
-@pytest.mark.parametrize("name", STARTED)
-@pytest.mark.parametrize(
+@each("name", STARTED)
+@each(
     ("given", "said"),
     [
         ("5 kg", "it has the unit kg, and m is meant"),

@@ -69,12 +69,12 @@ def test_the_orbit_in_balls_is_the_closed_form_of_viscous_damping(bits):
 
 
 def test_digits_of_one_precision_hold_at_another():
-    few, many = (asy.response({"3/2": "1/5"}, 1, "4/5", digits=d) for d in (6, 25))
+    few, many = (asy.response({"3/2": "1/5"}, 1, "4/5", digits=d) for d in (6, 18))
     for name in ("amplitude", "x0", "v0", "phase", "energy"):
         assert (
             asy.Coefficient(getattr(few, name), None).ball().overlaps(asy.Coefficient(getattr(many, name), None).ball())
         )
-    assert few.amplitude == str(round(float(many.amplitude), 5)) and len(many.amplitude) == 26
+    assert few.amplitude == str(round(float(many.amplitude), 5)) and len(many.amplitude) == 19
 
 
 def test_every_rung_holds_what_is_above_it():
@@ -196,16 +196,21 @@ def test_a_loss_too_weak_for_the_bits_is_told_before_the_work(law, force, omega)
     assert time.process_time() - begin < 2
 
 
-@pytest.mark.parametrize("digits", [5, 30])
-def test_the_bits_foretold_suffice(digits):
+@pytest.mark.parametrize("digits", [5, pytest.param(30, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    ("law", "force", "omega", "fewer"),
+    [({2: "1/10"}, "1/5", 1, False), pytest.param({2: "1e-20"}, "1/5", 2, False, marks=pytest.mark.slow),
+     ({3: "1/10"}, "1e-8", "1/2", True)],
+)  # fmt: skip
+def test_the_bits_foretold_suffice(law, force, omega, fewer, digits):
     """Precision is foretold, for weak losses too: one attempt, and a fifth fewer bits do not do."""
-    for law, force, omega in (({2: "1/10"}, "1/5", 1), ({2: "1e-20"}, "1/5", 2), ({3: "1/10"}, "1e-8", "1/2")):
-        drive = Drive.read(Oscillator(law), force, omega)
-        bits = bits_for(digits, 48) + bits_lost(drive)
-        with ctx.workprec(bits):
-            assert _orbit(drive, digits)["certified"]
-    with ctx.workprec(bits * 4 // 5), pytest.raises(UndecidedError):
-        _orbit(drive, digits)
+    drive = Drive.read(Oscillator(law), force, omega)
+    bits = bits_for(digits, 48) + bits_lost(drive)
+    with ctx.workprec(bits):
+        assert _orbit(drive, digits)["certified"]
+    if fewer:
+        with ctx.workprec(bits * 4 // 5), pytest.raises(UndecidedError):
+            _orbit(drive, digits)
 
 
 def test_too_few_bits_are_undecided(monkeypatch):

@@ -17,6 +17,7 @@ from asymptotics.errors import InputError, LimitError
 from asymptotics.expansions.moments.certified import moment
 from asymptotics.numbers.exact import ExactReal, parse_real
 from asymptotics.numbers.precision import TooWideError
+from tests.each import each
 
 SETS = [
     "0", "1", "3/2", "1/2", "sqrt(2)", "0 1", "0 2", "1 2", "1 3", "2 3", "0 1/2", "1/2 sqrt(2)", "sqrt(2) sqrt(3)",
@@ -105,8 +106,8 @@ def test_integral_and_hypergeometric_routes_overlap():
                 assert not (two * (1 + arb("1e-40"))).overlaps(quad)
 
 
-@pytest.mark.parametrize("z", ["-1/10", "-3/10", "-1", "-50", "-1000000"])
-@pytest.mark.parametrize("a", [Fraction(1), Fraction(1, 2), Fraction(5, 3), Fraction(7, 2), Fraction(3)])
+@each("z", ["-1/10", "-3/10", "-1", "-50", "-1000000"])
+@each("a", [Fraction(1), Fraction(1, 2), Fraction(5, 3), Fraction(7, 2), Fraction(3)])
 def test_log_form_against_arb(a, z):
     with ctx.workprec(300):
         w = parse_real(z, "z").ball()

@@ -10,6 +10,7 @@ from asymptotics.errors import UndecidedError
 from asymptotics.flow import taylor
 from asymptotics.flow.balls import size_of
 from asymptotics.flow.taylor import TaylorStep, coefficients, discs
+from tests.each import each
 from tests.flow.forces import FORCES, OTHERS, by_strength
 
 ONE = arb(1)
@@ -131,8 +132,8 @@ def test_a_step_whose_speed_may_vanish_has_no_box():
     assert TaylorStep(flat, (arb(1), arb("-0.1"), arb("-0.1")), arb("0.9"), ONE, arb(2), ONE, 0).box[1] > 0
 
 
-@pytest.mark.parametrize("name", FORCES)
-@pytest.mark.parametrize("u", ["0.5", "-0.25"])
+@each("name", FORCES)
+@each("u", ["0.5", "-0.25"])
 def test_the_coefficients_solve_the_equations(name, u):
     """By the derivatives at the start, taken numerically along the polynomials: u' = -w, w' = G(u, w)."""
     force, side = FORCES[name], 1 if float(u) > 0 else -1
@@ -169,16 +170,37 @@ def test_a_force_that_says_it_is_entire_has_whole_powers(exponent):
         coefficients(Claims(), arb(1), arb(1), 4)
 
 
-@pytest.mark.parametrize("terms", [[("1/10", "3/2")], [("1/9", "1/2"), ("1/7", "7/5")], [("1/5", "1"), ("2", "3/2")]])
-@pytest.mark.parametrize("order", [1, 21, 22, 41, 42, 55])
+SUMS = [[("1/10", "3/2")], [("1/9", "1/2"), ("1/7", "7/5")], [("1/5", "1"), ("2", "3/2")]]
+
+
+def by_recurrence(terms, u, w, order, bits):
+    """Coefficients of so many bits at least; the last ones of those asked for have few, so that more are asked for."""
+    with ctx.workprec(2 * bits):
+        return [c[: order + 1] for c in taylor._of_real_powers(by_strength(*terms), u, w, 2 * order)]
+
+
+@pytest.mark.parametrize("terms", SUMS)
+@pytest.mark.parametrize("order", [1, 12, 13, 14, 25, 26, 41, 42, 55, 83])
 def test_the_second_half_of_the_coefficients_is_that_of_the_recurrence(terms, order):
-    """About those of 300 bits, and no wider than four times the recurrence's."""
-    u, w = arb("-0.25"), arb("0.75")
-    with ctx.workprec(300):
-        sharp = taylor._of_real_powers(by_strength(*terms), u, w, order)
-    with ctx.workprec(90):
+    u, w, bits = arb("-0.25"), arb("0.75"), int(order / taylor.DEGREE_PER_BIT) + taylor.GUARD
+    with ctx.workprec(bits):
+        found = taylor._by_halves(by_strength(*terms), u, w, order, order)
+    for halves, fine in zip(found, by_recurrence(terms, u, w, order, bits + 60), strict=True):
+        assert all(x.contains(z) for x, z in zip(halves, fine, strict=True))
+
+
+@pytest.mark.parametrize("terms", SUMS)
+@pytest.mark.parametrize("bits", [40, 80, 150, 260])
+@pytest.mark.parametrize(("u", "w"), [("-0.25", "0.75"), ("0.9", "0.1"), ("0.5", "0.01")])
+def test_fewer_bits_for_later_coefficients_leave_the_state_at_the_end_narrow(terms, bits, u, w):
+    """The radii of all coefficients together are 2^20 times below what the step is allowed."""
+    with ctx.workprec(bits + taylor.GUARD):
         force = by_strength(*terms)
-        found, other = taylor._by_halves(force, u, w, order), taylor._of_real_powers(force, u, w, order)
-        for halves, whole, fine in zip(found, other, sharp, strict=True):
-            for x, y, z in zip(halves, whole, fine, strict=True):
-                assert x.contains(z) and x.rad() <= 4 * y.rad() + abs(y) * arb(2) ** -80
+    with ctx.workprec(bits):
+        start = arb(u).mid(), arb(w).mid()
+        step = TaylorStep.at(force, *start, arb(1), arb(1))
+        for series in (step.us, step.ws):
+            lost = sum((c.rad() * step.length**k for k, c in enumerate(series)), arb(0))
+            assert lost < arb(2) ** (-20 - bits)
+    fine = by_recurrence(terms, *start, len(step.ws) - 1, bits + 60)
+    assert all(x.overlaps(z) for pair in zip((step.us, step.ws), fine) for x, z in zip(*pair, strict=True))

@@ -76,6 +76,11 @@ BOUNDS: Names = {
     **each("flow.taylor", "TaylorStep.residual discs", "test_the_residual_of_a_step"),
     **each("flow.taylor", "TaylorStep.box", "test_the_box_of_a_step_holds_it"),
     **each("flow.damping", "Damping.largest", "tests/flow/test_taylor.py::test_the_residual_of_a_step"),
+    **each(
+        "return_map.quarter_majorant",
+        "quarter_majorant",
+        "test_quarter_swings_at_complex_strengths_obey_the_bounds_and_not_half_of_them",
+    ),
     **each("return_map.chebyshev", "cut", "test_the_cut_is_attained_by_the_first_polynomial_left_out"),
     **each("return_map.coordinate", "Coordinate.bounds", "tests/return_map/test_panels.py::test_a_ladder_of_panels"),
     **each(

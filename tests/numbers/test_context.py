@@ -17,6 +17,7 @@ from asymptotics.numbers.context import alone, ctx
 from asymptotics.numbers.decimal_context import intervals, workdps
 from asymptotics.running.budget import budget
 from asymptotics.turning.quadratic_series import abel_coefficients, half_period_series, map_series
+from tests.each import each
 from tests.sources import nodes
 
 ROOT = Path(__file__).parents[2]
@@ -193,9 +194,10 @@ def test_nobody_is_let_in_while_another_thread_is_inside():
 
 FOLDERS = ("asymptotics", "derivations", "paper_checks", "benchmarks")
 DOOR = {"asymptotics/numbers/context.py", "asymptotics/numbers/decimal_context.py"}
-LOOKED_UP = {  # caches of what no precision enters: files, parsers, numbers of doubles
+LOOKED_UP = {  # caches of what no precision enters: files, parsers, formulas as text, numbers of doubles
     "asymptotics/made_by.py", "asymptotics/ask/typed.py", "asymptotics/ask/question.py", "asymptotics/papers/lookup.py",
     "asymptotics/papers/derived.py", "asymptotics/papers/documented.py", "asymptotics/papers/stored.py",
+    "asymptotics/present/mathml.py",
 }  # fmt: skip
 CACHES = {"cache", "lru_cache", "cached_property"}
 SETS = {"prec", "cap", "dps"}
@@ -239,7 +241,7 @@ def test_no_precision_is_set_and_nothing_kept_outside_the_door():
         assert name in DOOR or faults(nodes(path), caches=caches) == [], name
 
 
-@pytest.mark.parametrize("text", [
+@each("text", [
     "from flint import ctx", "import flint\nflint.ctx.prec = 100", "ctx.prec = 9", "ctx.cap, x = 3, 4", "mp.dps = 30",
     "mpmath.mp.prec += 5", "with mpmath.workdps(30): pass", "from mpmath import workprec", "mp.extraprec(3)",
     "from functools import lru_cache", "import functools\n@functools.cache\ndef f(): pass", "setattr(c, 'prec', 3)",

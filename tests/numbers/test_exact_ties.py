@@ -19,6 +19,7 @@ from asymptotics.motions.coulomb import coulomb_motion, coulomb_stop, exact_turn
 from asymptotics.motions.reference import reference_motion
 from asymptotics.numbers.decimals import certified_decimal, rational_decimal
 from asymptotics.numbers.exact import ExactReal, parse_real
+from tests.each import each
 
 TIE = "0.0125"  # to two digits: 0.012, to the even digit
 
@@ -30,8 +31,8 @@ def test_a_tie_is_told_as_an_exact_number_only():
         certified_decimal(exact.ball, 2, max_bits=4000)
 
 
-@pytest.mark.parametrize("law", [{"0": "1/800"}, {"1": "1/10"}, {"2": "1/10"}, {"3/2": "1"}, {"0": "1/900", "2": "1"}])
-@pytest.mark.parametrize("spring", [None, {3: 1}])
+@each("law", [{"0": "1/800"}, {"1": "1/10"}, {"2": "1/10"}, {"3/2": "1"}, {"0": "1/900", "2": "1"}])
+@each("spring", [None, {3: 1}])
 def test_every_start_is_rounded(law, spring):
     mass = Oscillator(law, x0=TIE, spring=spring)
     assert reference_motion(mass, 0, 2).x == "0.012"
@@ -40,7 +41,7 @@ def test_every_start_is_rounded(law, spring):
         assert asy.envelope(mass).amplitude(0, digits=2) == "0.012"
 
 
-@pytest.mark.parametrize("seed", range(40))
+@each("seed", range(40))
 def test_dry_friction_in_metres_is_decided_in_rationals(seed):
     """x_n = s (-1)^n (|x0| - 2 n b/k) as fractions, ties and zeros among them, to two digits."""
     rng = Random(seed)
@@ -79,8 +80,8 @@ def test_a_start_that_hardly_moves(alpha, v0):
     assert table.certified and [p.x for p in table.points] == [p.x for p in at_rest.points]
 
 
-@pytest.mark.parametrize("near", ["1.00001", "0.99999", "1.0000001", "0.9999999", "1.00000000000000000001"])
-@pytest.mark.parametrize("other", [None, "2", "1", "1/2"])
+@each("near", ["1.00001", "0.99999", "1.0000001", "0.9999999", "1.00000000000000000001"])
+@each("other", [None, "2", "1", "1/2"])
 def test_no_formula_is_multiplied_out(near, other):
     """Every closed form near alpha = 1 can be written down, without a number of thousands of digits."""
     found = asy.envelope({near: "1/10"} | ({} if other is None else {other: "1/10"}))
@@ -106,7 +107,7 @@ def test_a_stop_in_the_middle_beside_a_spring_is_0(spring, dry):
     assert [Fraction(p.x) for p in found.points] == [1, 0] and found.ended == {"n": 1, "reason": "sticks"}
 
 
-@pytest.mark.parametrize("seed", range(12))
+@each("seed", range(12))
 def test_dry_friction_beside_a_spring_has_the_places_that_were_chosen(seed):
     """eps_0 (a + q) = V(a) - V(q) for rational a, q, on either side of the centre; the next place is irrational."""
     rng = Random(seed)

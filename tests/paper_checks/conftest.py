@@ -1,20 +1,23 @@
 """One report for all tests of this folder, from recorded outcomes: what the checks find is tested elsewhere.
 
-Its page on the engine has tables and pictures of every kind, with fewer laws than the one that is published, and
-beside it stand certificates of every kind: all others are made by a slow test (test_report.py).
+Its page on the engine has tables and pictures of every kind, with fewer laws than the one that is published, one figure
+stands in the place of all figures of the papers (each is drawn by tests of its own), and beside it stand certificates
+of every kind: all others are made by a slow test (test_report.py).
 """
 
 import fcntl
 import os
 import sys
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 
 import pytest
 
 from asymptotics.present.figures import renderings
+from paper_checks.lelas2024.figures import FIGURES
 from paper_checks.registry import Entry, expected_outcomes, load
 from paper_checks.report import build, certificates, engine, validity_map, write_report
+from paper_checks.report.measured_errors import KAPPAS, measured_errors
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 
@@ -38,9 +41,12 @@ def few_laws():
         patch.setattr(engine, "LAWS", (["1/2"], ["1", "2"]))
         patch.setattr(engine, "BOUNDED", [(["1/2"], range(1, 4)), (["1", "2"], range(1, 2))])
         patch.setattr(validity_map, "EPSILONS", ("1/100", "1/5", "1"))
-        patch.setattr(validity_map, "ALPHAS", ("1/2", "2"))
+        patch.setattr(validity_map, "ALPHAS", ("2",))
         patch.setattr(validity_map, "ORDERS", (1,))
-        patch.setattr(build, "renderings", partial(renderings, dpi=40))
+        patch.setattr(validity_map, "TAU_MAX", 15.0)
+        patch.setattr(engine, "measured_errors", partial(measured_errors, kappas=KAPPAS[:2]))
+        first = cache(partial(renderings, dpi=40))
+        patch.setattr(build, "renderings", lambda draw, kinds: first(FIGURES["fig1a"][1], kinds))
         patch.setattr(certificates, "TABLE_DIGITS", 8)
         few = tuple(each for each in EVERY if each.file in {f"certificate-{kind}.json" for kind in KINDS})
         patch.setattr(certificates, "PROVED", few)

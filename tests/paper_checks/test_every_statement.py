@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from paper_checks.mathml import to_mathml
+from asymptotics.present.mathml import mathml
 from paper_checks.near_misses import LEFT, WORDS
 from paper_checks.registry import expected_outcomes, forms, load
 from paper_checks.report.pages import near_miss
@@ -89,5 +89,5 @@ def test_slips_that_change_nothing_are_listed():
 def test_latex_becomes_mathml():
     for key, entry in ENTRIES.items():
         for latex in filter(None, (entry.latex, entry.corrected_latex)):
-            mathml = to_mathml(latex)
-            assert mathml.startswith("<math") and "\\" not in mathml, (key, mathml)
+            formula = mathml(latex)
+            assert formula.startswith("<math") and "\\" not in formula, (key, formula)

@@ -20,6 +20,8 @@ sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 
 from drawing import missing
 
+from tests.each import each
+
 ASKED = {  # what is typed: what must be among the first five of its kind
     "hypergeometric": ("lancaster2020:fn22", "two-laws-time", ""),
     "closed form of the recurrence": ("smith2012:62b", "smith-closed-sum", ""),
@@ -63,12 +65,12 @@ def asked(kind):
     return [(query, wanted[kind]) for query, wanted in ASKED.items() if wanted[kind]]
 
 
-@pytest.mark.parametrize(("query", "wanted"), asked(0))
+@each(("query", "wanted"), asked(0))
 def test_python_finds_the_statement(query, wanted):
     assert wanted in [s.id for s in statements(query)][:FIRST]
 
 
-@pytest.mark.parametrize(("query", "wanted"), asked(1))
+@each(("query", "wanted"), asked(1))
 def test_python_and_the_shell_find_the_derivation(query, wanted, capsys):
     assert wanted in [d.name for d in derivations(query)][:FIRST]
     if "-" not in query:  # else it is a slip of a name
@@ -76,7 +78,7 @@ def test_python_and_the_shell_find_the_derivation(query, wanted, capsys):
         assert wanted in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(("query", "wanted"), asked(2))
+@each(("query", "wanted"), asked(2))
 def test_the_documentation_is_found(query, wanted):
     assert wanted in [str(section) for section in documentation(query)][:FIRST]
 

@@ -23,7 +23,11 @@ GIVEN = {  # letters that the statement itself gives a number: it is about that 
     "lelas2024:claim.general-forms": {"phi_0"},  # measured from rest, where it is 0; its derivative has the letter
     **dict.fromkeys((f"lelas2024:value.tau-exact-{panel}" for panel in "ab"), {"omega_0"}),
 }
-SLOW = ("lancaster2020:claim.valid-for-any-b", "smith2012:69")
+SLOW = (
+    "lancaster2020:13", "lancaster2020:21", "lancaster2020:claim.large-b-agreement",
+    "lancaster2020:claim.no-restriction", "lancaster2020:claim.valid-for-any-b", "lelas2024:47", "lelas2024:48",
+    "lelas2024:51", "smith2012:16", "smith2012:21", "smith2012:61", "smith2012:69",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("key", [pytest.param(k, marks=pytest.mark.slow) if k in SLOW else k for k in FAMILIES])

@@ -11,6 +11,7 @@ from paper_checks.forms import defect
 from paper_checks.mutants import mutants, survivors
 from paper_checks.registry import confirmed_form, load
 from paper_checks.verdict import Outcome, Printed
+from tests.each import each
 
 STATEMENTS = load()
 CHECKED = [key for key, entry in STATEMENTS.items() if entry.verdict != Printed.OPEN]
@@ -30,7 +31,7 @@ def test_a_sample_of_mutants_is_refuted(key):
         assert reason(key, name) or entry.check(mutant) == Outcome.REFUTED, (name, mutant)
 
 
-@pytest.mark.parametrize("key", CHECKED)
+@each("key", CHECKED)
 def test_nothing_infinite_empty_or_of_another_shape_passes(key):
     entry = STATEMENTS[key]
     for mutant in (sympy.nan, float("nan"), (), "", {}, None, (sympy.nan,), sympy.zoo):

@@ -27,6 +27,7 @@ from paper_checks.reader import (
 )
 from paper_checks.registry import FOLLOW_UPS, Entry, load
 from paper_checks.verdict import Evidence, Printed
+from tests.each import each
 
 ENTRIES = load()
 NUMBERED = [entry for entry in ENTRIES.values() if numbered(entry)]
@@ -113,7 +114,7 @@ def test_what_is_read_wholly_in_part_and_not_is_listed():
     assert f"all {len(ENTRIES)} statements" in page
 
 
-@pytest.mark.parametrize("key", DIGESTS)
+@each("key", DIGESTS)
 def test_latex_and_form_are_those_that_were_compared(key):
     assert digest(ENTRIES[key]) == DIGESTS[key], f"{key}: compare what is printed and the forms, then --compared"
 
@@ -229,7 +230,7 @@ def test_what_is_shown_beside_a_statement_is_compared(change):
     assert not compared(replace(ENTRIES["lelas2024:value.tau-tilde-a"], **change))
 
 
-@pytest.mark.parametrize("key", ENTRIES)
+@each("key", ENTRIES)
 def test_every_number_in_a_note_is_the_statements_own_or_computed(key):
     assert untied(ENTRIES[key]) == []
 

@@ -4,12 +4,11 @@ import ast
 import inspect
 import textwrap
 
-import pytest
-
 from paper_checks.evidence import Marks, mark, recorded, sampled
 from paper_checks.registry import load
 from paper_checks.report.words import evidence
 from paper_checks.verdict import Evidence
+from tests.each import each
 
 PROVED = {
     inspect.unwrap(entry.check): key
@@ -75,7 +74,7 @@ def fixed(values, function):
     return numbers or bool(names) and all(name.isupper() and name in function.__globals__ for name in names)
 
 
-@pytest.mark.parametrize("check", PROVED, ids=PROVED.get)
+@each("check", PROVED)
 def test_what_is_proved_without_a_derivation_looks_at_every_case(check):
     loops = [loop for function in reached(check, []) for loop in chosen(function)]
     assert [loop for loop in loops if loop not in EXHAUSTED] == []

@@ -68,10 +68,15 @@ def test_the_footer_leads_only_to_files_that_the_report_has(report):
 
 
 @pytest.mark.skipif(bool(missing("chromium")), reason="needs Debian's chromium and chromium-driver")
-def test_no_table_is_cut_on_a_desktop(browser, report):
+@pytest.mark.parametrize(
+    "pages",
+    [("engine", "index"), pytest.param(("lancaster2020", "lelas2024", "smith2012"), marks=pytest.mark.slow)],
+    ids=["tables", "papers"],
+)
+def test_no_table_is_cut_on_a_desktop(browser, report, pages):
     browser.set_window_size(1280, 900)
     cut = "return [...document.querySelectorAll('.scroll')].filter(s => s.scrollWidth > s.clientWidth + 1).length"
-    for page in ("engine", "index", "lancaster2020", "lelas2024", "smith2012"):
+    for page in pages:
         browser.get((report / f"{page}.html").as_uri())
         assert browser.execute_script(cut) == 0, page
     browser.execute_script("document.querySelector('.scroll').style.width = '10em'")

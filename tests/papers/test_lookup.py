@@ -9,6 +9,7 @@ from asymptotics.papers.lookup import SHORTFALLS, find, paper, papers, statement
 from asymptotics.shell.main import main
 from paper_checks.data import DATA, written
 from paper_checks.registry import PAPERS, load
+from tests.each import each
 
 
 def test_the_data_are_those_of_the_registry():
@@ -37,7 +38,7 @@ def test_found_by_id_number_and_words(query, wanted):
     assert wanted in [s.id for s in find(query)]
 
 
-@pytest.mark.parametrize(
+@each(
     ("query", "first"),
     [
         ("Lancaster eq. 13", "lancaster2020:13"),
@@ -61,7 +62,7 @@ def test_the_words_of_a_referee_find_the_entry_first(query, first):
     assert find(query)[0].id == first
 
 
-@pytest.mark.parametrize(
+@each(
     ("query", "among"),
     [
         ("hypergeometric", "lancaster2020:fn22"),

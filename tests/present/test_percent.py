@@ -8,18 +8,19 @@ import pytest
 
 import asymptotics
 from asymptotics.present.percent import percent
+from tests.each import each
 
 _G_FORMAT = re.compile(r"\{[^{}]*:\.\d+[ge]\} ?%")
 
 
-@pytest.mark.parametrize("share", [*np.logspace(-4.99, 6, 111).tolist(), 0.994, 0.995, 0.9949999, 0.9996, 1.0, 0.0])
+@each("share", [*np.logspace(-4.99, 6, 111).tolist(), 0.994, 0.995, 0.9949999, 0.9996, 1.0, 0.0])
 def test_a_share_is_told_in_digits_to_two_places(share):
     said = percent(share)
     assert re.fullmatch(r"\d+(\.\d+)? %", said), said
     assert float(said[:-2]) == pytest.approx(100 * share, rel=0.0501)
 
 
-@pytest.mark.parametrize("share", [*np.logspace(-16, -5.01, 40).tolist(), -1e-15, 5e-324])
+@each("share", [*np.logspace(-16, -5.01, 40).tolist(), -1e-15, 5e-324])
 def test_a_share_of_nothing_is_told_as_below_a_limit(share):
     """Failed before: "0.0000000000089 % of the loss"."""
     assert percent(share) == "below 0.001 %"

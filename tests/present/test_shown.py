@@ -13,6 +13,7 @@ from asymptotics.errors import InputError
 from asymptotics.present.letters import MEANINGS, letters
 from asymptotics.present.shown import MAX_LINES, Page, Rows, Shown, frame
 from asymptotics.present.signs import signs
+from tests.each import each
 from tests.present import every_type
 from tests.present.every_type import SAMPLES, name_of, types
 
@@ -54,7 +55,7 @@ class Elements(HTMLParser):
         assert self.open.pop() == tag
 
 
-@pytest.mark.parametrize("text", (*SAMPLES.values(), *every_type.VARIANTS))
+@each("text", (*SAMPLES.values(), *every_type.VARIANTS))
 def test_the_repr_of_every_result_is_instant_and_short(text):
     found = every_type.made()[text]
     begin = time.process_time()

@@ -262,22 +262,25 @@ def test_a_law_without_a_mirrored_quarter_has_no_courses(pairs):
         Courses.up_to(coordinate(pairs), arb("0.5"), 30)
 
 
-def test_states_in_many_half_swings_are_those_by_pieces(monkeypatch):
+@pytest.mark.parametrize(
+    ("law", "v0"),
+    [pytest.param({"3/2": "1/10"}, 0, marks=pytest.mark.slow), ({3: "1/2"}, 1),
+     pytest.param({2: 5}, 0, marks=pytest.mark.slow)],
+    ids=["three halves", "cubic, in motion", "strong"],
+)  # fmt: skip
+def test_states_in_many_half_swings_are_those_by_pieces(law, v0, monkeypatch):
     """Asked in 50 half-swings, from rest and in motion: the same motion, and the course is what serves."""
     seen, honest = [], Course.states
     monkeypatch.setattr(Course, "states", lambda self, times: seen.extend(times) or honest(self, times))
-    for law, v0 in ((Law({"3/2": "1/10"}), 0), (Law({3: "1/2"}), 1), (Law({2: 5}), 0)):
-        system = Oscillator(law, v0=v0)
-        times = [ExactReal(k) for k in range(160)]
-        seen.clear()
-        by_courses = reference_states(system, times, 15)
-        count = len(seen)
-        monkeypatch.setattr(panels_module, "_COURSES", 10**9)
-        by_pieces = reference_states(system, times, 15)
-        monkeypatch.setattr(panels_module, "_COURSES", 40)
-        assert count > 100 and len(seen) == count
-        for one, other in zip(by_courses.x + by_courses.v, by_pieces.x + by_pieces.v, strict=True):
-            assert one.overlaps(other) and one.rad() < 2 * other.rad() + arb(10) ** -20
+    system = Oscillator(Law(law), v0=v0)
+    times = [ExactReal(k) for k in range(160)]
+    by_courses = reference_states(system, times, 15)
+    count = len(seen)
+    monkeypatch.setattr(panels_module, "_COURSES", 10**9)
+    by_pieces = reference_states(system, times, 15)
+    assert count > 100 and len(seen) == count
+    for one, other in zip(by_courses.x + by_courses.v, by_pieces.x + by_pieces.v, strict=True):
+        assert one.overlaps(other) and one.rad() < 2 * other.rad() + arb(10) ** -20
 
 
 def test_few_half_swings_have_no_courses(monkeypatch):

@@ -77,15 +77,16 @@ def test_a_plan_saves_half_swings_or_is_none():
 def test_a_panel_from_zero_holds_the_place_and_is_one_of_a_row():
     """The longest that is cheap, whatever place is asked for; a shorter one first, and where that is dear."""
     c = coordinate((("3/2", "1"),))
-    reach = panel_plan.reach_of(c, whole=False)
+    places = panel_plan.places_of(c, quartered=True)
     first = [from_zero(c, z, 80, quartered=True) for z in (1e-6, 0.1)]
-    assert first[0] == first[1] and 0.1 < first[0].last < 0.2 * reach
-    plans = [from_zero(c, z, 80, quartered=True, again=True) for z in (1e-6, 0.1, 0.45 * reach, 0.55 * reach)]
-    assert plans[:2] == [plans[2]] * 2 and plans[2].last == 0.5 * reach and plans[3] is None
-    assert farthest(c, 80, quartered=True).last == 0.8 * reach
-    dear = [from_zero(c, z, 1000, quartered=True) for z in (1e-6, 0.1, 0.4 * reach)]
+    assert first[0] == first[1] and 0.1 < first[0].last < 0.3 * places
+    plans = [from_zero(c, z, 80, quartered=True, again=True) for z in (1e-6, 0.1, 0.45 * places, 0.55 * places)]
+    assert plans[:2] == [plans[2]] * 2 and plans[2].last == 0.5 * places and plans[3] is None
+    assert farthest(c, 80, quartered=True).last == 0.9 * places
+    dear = [from_zero(c, z, 1000, quartered=True) for z in (1e-6, 0.1, 0.4 * places)]
     assert dear[0].last < dear[1].last < dear[2].last and all(p.last > z for p, z in zip(dear, (1e-6, 0.1, 0.4)))
-    assert dear[0].work(True) <= 1.3 * 1000 / 40 + 50
+    row = [panel_plan._up_to(c, share, 1000, True) for share in panel_plan._OF_REACH]
+    assert 22 < dear[0].work(True) <= 1.1 * min(p.work(True) for p in row if p.last >= 1e-6)
 
 
 def test_what_half_swings_are_worth_counts_those_before_the_panel():
@@ -103,6 +104,16 @@ def test_the_reach_in_doubles_is_that_of_the_majorant(name):
     c = coordinate(WORLDS[name].pairs)
     reach = panel_plan.reach_of(c)
     assert c.bounds(arb(0), arb(0.95 * reach)) is not None and c.bounds(arb(0), arb(1.05 * reach)) is None
+
+
+@pytest.mark.parametrize("alphas", ["1001/1000", f"{10**20 + 1}/{10**20}", "6/5", "2", "3", "6", "40", "1 2", "3/2 2"])
+def test_the_reach_of_quarter_swings_in_doubles_is_about_that_in_balls(alphas):
+    """Panels end well inside, so that there is room for an ellipse."""
+    c = coordinate([(a, "1/4") for a in alphas.split()])
+    reach, places = panel_plan.reach_of(c, whole=False), panel_plan.places_of(c, quartered=True)
+    assert c.bounds(arb(0), arb(0.85 * reach), whole=False) is not None
+    assert c.bounds(arb(0), arb(1.15 * reach), whole=False) is None
+    assert 0 < places <= 0.8 * reach and farthest(c, 80, quartered=True).stretch > 1.3
 
 
 @pytest.mark.parametrize("name", ["three weak powers", "a sum with an irrational power"])

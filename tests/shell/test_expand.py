@@ -3,9 +3,8 @@
 import subprocess
 import sys
 
-import pytest
-
 from asymptotics.shell.main import main
+from tests.each import each
 from tests.shell.answers import answer, run
 
 SUM = """\
@@ -46,7 +45,7 @@ def test_expand_symbolic(capsys):
     assert r"\Gamma" in out
 
 
-@pytest.mark.parametrize(
+@each(
     ("line", "argument"),
     [
         ("half-swing --alpha symbolic --order 5", "--order"),

@@ -1,8 +1,7 @@
 """The one reader of forces: the grammar of --law and --spring, keys in the order given, and what is refused by name."""
 
-import pytest
-
 from asymptotics.shell.main import main
+from tests.each import each
 from tests.shell.answers import answer
 
 
@@ -21,7 +20,7 @@ def test_strengths_may_be_left_out_where_they_do_not_matter(capsys):
     assert answer(capsys, "expand --law 3/2,1 --spring 2,1/2 --order 1")["arithmetic"] == "certified"
 
 
-@pytest.mark.parametrize(
+@each(
     ("line", "named"),
     [
         ("expand --alpha 1 --law 2", "--alpha"),

@@ -15,12 +15,13 @@ from asymptotics.shell.gate import typed, words
 from asymptotics.shell.main import main
 from asymptotics.sweeps import workers
 from tests.ask.test_hostile import ALL, judged
+from tests.each import each
 
 ROOT = Path(__file__).parents[2]
 PROGRAM = [sys.executable, "-m", "asymptotics.shell.entry"]
 
 
-@pytest.mark.parametrize("word", sorted({*ALL, "host:8786", "tcp://", "tcp://host", "file:///etc:1"} - {"--"}))
+@each("word", sorted({*ALL, "host:8786", "tcp://", "tcp://host", "file:///etc:1"} - {"--"}))
 def test_what_is_no_address_of_a_scheduler_is_refused_before_dask_is_loaded(word, monkeypatch):
     """Dask tried each for 4 to 18 s, and failed on some words by an assertion of its own."""
     monkeypatch.setattr(workers, "_distributed", lambda: pytest.fail("Dask is loaded"))

@@ -8,6 +8,7 @@ import pytest
 
 import asymptotics as asy
 from asymptotics.ask.questions.motion import motion_at
+from tests.each import each
 from tests.shell.answers import answer, run
 from tests.worlds import OSCILLATOR
 
@@ -85,7 +86,7 @@ def test_text_for_people(capsys):
     assert code == 0 and " m/s" in out and "gauge averaging" in out and "certified: false" in out
 
 
-@pytest.mark.parametrize(
+@each(
     ("line", "argument"),
     [
         ("motion --alpha 2 --damping 1 --x0 1 --time -1", "--time"),

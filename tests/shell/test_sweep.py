@@ -2,11 +2,10 @@
 
 import json
 
-import pytest
-
 from asymptotics.ask.axes import read_axes
 from asymptotics.shell.main import main
 from asymptotics.sweeps.export import read_rows
+from tests.each import each
 
 
 def call(capsys, *arguments):
@@ -64,7 +63,7 @@ def test_sums_of_laws_are_axes(capsys):
     assert read_axes("turning-points", ["--law", "2:1/10,1/5"]) == {"law": ("2:1/10", "2:1/5")}
 
 
-@pytest.mark.parametrize(
+@each(
     "arguments",
     [
         ["nothing", "--p", "1"],

@@ -7,6 +7,7 @@ import json
 import pytest
 
 from asymptotics.shell.main import main
+from tests.each import each
 
 
 def call(capsys, *arguments):
@@ -58,7 +59,7 @@ def test_roundings(capsys):
                      "interval": "[-0.4108, -0.4107]"}  # fmt: skip
 
 
-@pytest.mark.parametrize(
+@each(
     "arguments",
     [
         [],

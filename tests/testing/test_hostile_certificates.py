@@ -13,6 +13,7 @@ from asymptotics.testing import check_certificate
 from asymptotics.testing.check_certificate import RefusedError, check, read, told
 from tests.certificates import examples
 from tests.certificates.truth import false_claims
+from tests.each import each
 from tests.testing.damage import damaged, leaves, put
 
 CHECKER = Path(check_certificate.__file__)
@@ -26,7 +27,7 @@ SAMPLES = {  # what makes one, when a test asks for it
 }
 
 
-@pytest.mark.parametrize(
+@each(
     "data",
     [
         b"",

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from asymptotics.decays.identification.between_amplitudes import pairs
-from asymptotics.decays.identification.found_law import DampingLaw
+from asymptotics.decays.identification.found_law import UNTESTED, DampingLaw
 from asymptotics.decays.identification.inverse_damping import QUANTITIES, DampingCandidate, Problem, fitted, weighted
 from asymptotics.decays.identification.resonance_table import as_losses, beyond_first_order
 from asymptotics.decays.records.sources import How, Source, opened
@@ -132,6 +132,7 @@ def law_of_table(
     found, (zeta, s) = fitted(*table_of, problem), weighted(*table_of, problem)
     if len(values) == 1:
         notes += ("one loss and one strength: each law of one term has its own, and none is tested",)
+        found = tuple(replace(c, grade=UNTESTED) for c in found)
     if spread is None and len(values) == 1:
         notes += ("no resolution: no intervals",)
         found = tuple(replace(c, strengths=tuple(replace(e, low=nan, high=nan) for e in c.strengths)) for c in found)
@@ -180,7 +181,10 @@ def _losses(
     both, values = pairs(size, of_one * count)
     named = {"n": "n counts half-swings", "cycles": "periods are counted", "t": "t in s"}[clock]
     if clock == "t" and mass is None:
-        named = "t is omega_0 t, for want of a mass and a stiffness"
+        named = (
+            "t is omega_0 t, for want of a mass and a stiffness; of t in s epsilon_1 is b/m in 1/s all the same, and "
+            "mass 1 with stiffness (2 pi/period)^2 gives b/m of every law"
+        )
     if spread is None:
         return both, values, None, (named,)
     # The errors of both amplitudes; that neighbours share one is neglected.

@@ -15,6 +15,8 @@ from asymptotics.frames import Frame
 from asymptotics.present.percent import at_most, percent
 from asymptotics.present.shown import Page, Rows
 
+UNTESTED = "not tested"
+"""The grade of the laws of one strength beside one loss: each meets it."""
 # So many rivals are named; the table below has all of them.
 _SHOWN = 4
 
@@ -51,6 +53,8 @@ class DampingLaw(Rows):
     def verdict(self) -> str:
         """The law, how good it is, its strengths, and what the table cannot tell."""
         best = self.best
+        if best.grade == UNTESTED:
+            return f"one loss tests no law: {' or '.join(self._shown(s) for c in self.laws for s in c.strengths)}"
         head = f"{_words(best)}: {best.grade_in_words()}"
         if best.grade == "refuted":
             head = f"no candidate fits; nearest is {_words(best)}, whose damping is {off(best.left)} (root mean square)"

@@ -42,7 +42,7 @@ from asymptotics.decays.identification.telling.law_answer import LawAnswer
 from asymptotics.decays.identification.telling.record_units import RecordUnits
 from asymptotics.decays.identification.telling.result import Identification, sorted_laws
 from asymptotics.decays.identification.telling.runs import common, verdict_of_runs
-from asymptotics.decays.identification.telling.verdicts import NONE, UNDECIDED, Verdict, verdict_of
+from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, NONE, SEVERAL, UNDECIDED, Verdict, verdict_of
 from asymptotics.decays.identification.textbook import textbook_estimates
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import GRAVITY, UNITS
@@ -52,6 +52,7 @@ from asymptotics.running.budget import tick
 
 _OTHER = 0.1
 """A share by which springs, losses and rough values of a mass explain another frequency.  A choice."""
+_DERIVATIVES = "velocity", "acceleration"
 MAX_RUNS = 50
 """Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
 
@@ -98,7 +99,28 @@ def identified(
         # What a run leaves of its share falls to those after it.
         work = Work.of_a_verdict(1 / (len(runs) - place))
         answers.append(_one_run(run, candidates, known, amplitudes_only, scale, bootstrap, work))
-    return answers[0] if len(answers) == 1 else _together(answers, known)
+    found = answers[0] if len(answers) == 1 else _together(answers, known)
+    order = _order_by_its_name(found) if kind is None else 0
+    if not order:
+        return found
+    as_place = identified(
+        data, kind="record", unit=unit, laws=laws, springs=springs, amplitudes=amplitudes,
+        amplitudes_only=amplitudes_only, mass=mass, stiffness=stiffness, omega_0=omega_0, noise=noise,
+        bootstrap=bootstrap, how=how, modes=modes,
+    )  # fmt: skip
+    if as_place.verdict.kind not in (IDENTIFIED, SEVERAL):
+        return found
+    named, reading = _DERIVATIVES[order - 1], "read as a place, which a law fits"
+    told = f"{reading}: as the {named} that its name says none does (--kind {named} overrules)"
+    return replace(as_place, notes=(told, *as_place.notes))
+
+
+def _order_by_its_name(found: Identification) -> int:
+    """Which derivative a column without a unit was taken for by its name alone, where no law fits it; else 0."""
+    run = found.runs[0]
+    if found.per_run or found.verdict.kind != NONE or not isinstance(run, Observations) or run.unit:
+        return 0
+    return 0 if run.samples is None else run.samples.derivative
 
 
 def _sources(data: Any) -> list[Any]:
@@ -161,8 +183,9 @@ def _one_run(
 ) -> Identification:
     if isinstance(run, Decrements):
         return _decrements(run, candidates, units, noise)
-    if run.without_frequency:
-        return _without_frequency(run, candidates, units)
+    unfit = _tells_no_law(run)
+    if unfit is not None:
+        return _without_law(run, candidates, units, unfit)
     seen = run.without_times() if amplitudes_only else run
     constant = is_constant(seen.sizes)
     # A constant amplitude may be a little larger at its end.
@@ -194,7 +217,6 @@ def _one_run(
     plain = verdict_of(laws, seen, growing, advice=False)
     verdict = plain if seen.spacing else work.within(partial(verdict_of, laws, seen, growing), plain)
     notes += [
-        *_another_kind(verdict, seen),
         *_untried(laws),
         *_lengths(laws),
         *_memory(laws),
@@ -219,22 +241,26 @@ def _one_run(
     return Identification(verdict, answers, (run,), textbook, tuple(notes), answers[0].units)
 
 
-def _without_frequency(run: Observations, candidates: Sequence[Candidate], units: RecordUnits) -> Identification:
-    """An envelope of which nobody says how fast it swings: its half-life is told, and no law has a strength."""
-    reason = "an envelope of unknown frequency has no strengths"
+def _tells_no_law(run: Observations) -> tuple[str, Verdict] | None:
+    """Why no law of a run is fitted, and the verdict that says so; None where laws may be told apart."""
+    if run.without_frequency:
+        text = f"{UNDECIDED}: without the frequency of the envelope no law has a strength, and there is no Q"
+        asked = "--omega0 W (2 pi f, in rad/s), or a line 'Frequency [Hz]: f' above the numbers"
+        return "an envelope of unknown frequency has no strengths", Verdict(UNDECIDED, text, asked)
+    few = len(run.n) < LEAST_POINTS and run.samples is None
+    reason = run.no_law or (f"{len(run.n)} turning points tell no law from another" if few else "")
+    text = f"{UNDECIDED}: {reason}; its Q is that of the envelope"
+    return (reason, Verdict(UNDECIDED, text, "a longer record of the free decay")) if reason else None
+
+
+def _without_law(
+    run: Observations, candidates: Sequence[Candidate], units: RecordUnits, unfit: tuple[str, Verdict]
+) -> Identification:
+    """A run of which no law is fitted: what its envelope tells is told."""
+    reason, verdict = unfit
     laws = judged([Fitted(c, None, reason) for c in candidates], {})
-    text = f"{UNDECIDED}: without the frequency of the envelope no law has a strength, and there is no Q"
-    verdict = Verdict(UNDECIDED, text, "--omega0 W (2 pi f, in rad/s), or a line 'Frequency [Hz]: f' above the numbers")
     answers = tuple(LawAnswer(law, units) for law in sorted_laws(laws))
     return Identification(verdict, answers, (run,), {}, run.notes, units)
-
-
-def _another_kind(verdict: Verdict, seen: Observations) -> list[str]:
-    """That a column without a unit may hold a place after all, where no law fits it as what its name says."""
-    order = 0 if seen.samples is None else seen.samples.derivative
-    if verdict.kind != NONE or not order or seen.unit:
-        return []
-    return [f"no law fits it as {('a velocity', 'an acceleration')[order - 1]}: if it is a place, --kind record"]
 
 
 def _untried(laws: Sequence[Judged]) -> list[str]:
@@ -271,7 +297,7 @@ def _mode(laws: Sequence[Judged]) -> list[str]:
     if len(told) < 2:
         return [f"{first.candidate}: the data set no limit to the second mode"]
     size = f"{np.hypot(cosine, sine):.3g} at the first sample"
-    return [f"second mode: {omega:.5g} {told[0]} rad a unit of time, {size}, rate of decay {rate:.3g} {told[1]}"]
+    return [f"second mode: {omega:.5g} {told[0]} rad/s, {size}, rate of decay {rate:.3g} {told[1]} 1/s"]
 
 
 def _levels(fits: Sequence[Fitted], noise: Noise | None) -> Levels:

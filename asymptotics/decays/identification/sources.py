@@ -9,6 +9,7 @@ from asymptotics.decays.identification.fitting.printed import Decrements
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.at_rest import moving
 from asymptotics.decays.identification.measuring.extraction import observations_of_record
+from asymptotics.decays.identification.measuring.few_swings import of_a_short_record
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.mode_beside import with_mode_beside
 from asymptotics.decays.identification.measuring.near_modes import near_modes
@@ -25,8 +26,8 @@ from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.table import RecordTable, read_table
 from asymptotics.errors import InputError, LimitError
 
-LEAST_POINTS = 4
-"""First amplitude and a strength leave two data of four: fewer turning points tell no law from another."""
+LEAST_POINTS, _FEWEST_POINTS = 4, 2
+"""First amplitude and a strength leave two data of four: fewer turning points tell no law from another; two tell Q."""
 MAX_SWINGS = 1_000_000
 """Half-swings from the first to the last turning point: every one is computed for every law, in half a minute each."""
 Run = Observations | Decrements
@@ -69,7 +70,8 @@ def load(
         told = table.read_as()
         # Of two or three amplitudes only the loss between them can be told.
         few = len(next(iter(table.columns.values()))) < LEAST_POINTS
-        accepted = error.accepted + ("; two amplitudes and a time: --kind damping" if few else "")
+        peaks = "; peaks: a column 'amplitude'; two amplitudes and a time: --kind damping"
+        accepted = error.accepted + (peaks if few else "")
         raise type(error)("FILE", f"{error.reason}; {told}" if told else error.reason, accepted) from None
 
 
@@ -102,7 +104,8 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
     swinging = _swinging(t, x, run)  # at rest the swings are those of noise, which rise and fall
     beat = near_modes(t[swinging], x[swinging])
     if beat is not None:
-        if modes == 1 and (beat.is_strong or len(parts) > 1 or len(parts[0]) < len(t)):
+        # A weaker one is measured and taken off, or stays in what the laws leave: the motion is one decay still.
+        if modes == 1 and beat.is_strong:
             raise InputError("FILE", f"{rows.name} {beat.in_words}", "--modes 2, which fits both")
         said = said if modes > 1 else (*said, f"the record {beat.in_words}: --modes 2 fits both")
         parts = [np.arange(len(t))]
@@ -153,6 +156,10 @@ def _decay(
     slow = slow_base_line(t, x)
     if slow is not None:
         x, notes = x - slow.values, (*notes, slow.in_words)
+    elif len(t) >= LEAST_SAMPLES:
+        short = of_a_short_record(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
+        if short is not None:
+            return short
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)
     if _order(run) == 0:
@@ -221,7 +228,12 @@ def _turning_points(table: RecordTable) -> Observations:
     if len(wrong) > max(2, len(x) // 3):
         reason = f"{rows.where(wrong[0], 'x')}: the signs do not alternate with n"
         raise InputError("FILE", reason, "x_n with alternating signs, or amplitudes of one sign")
-    return seen
+    # What ends on the wrong side is no turning point of a swing: friction held it on its way, or it is noise.
+    last = int(np.flatnonzero(seen.x * seen.sign >= 0)[-1])
+    if last == len(x) - 1 or last < LEAST_POINTS - 1:
+        return seen
+    said = f"what follows turning point {seen.n[last]} is on the same side: at rest, or hidden by noise; left out"
+    return replace(seen.up_to(int(seen.n[last])), notes=(*seen.notes, said))
 
 
 def _require_few(swings: float, where: str) -> None:
@@ -232,9 +244,9 @@ def _require_few(swings: float, where: str) -> None:
 
 
 def _require_points(x: Array, rows: RowPlaces, notes: tuple[str, ...]) -> None:
-    if len(x) < LEAST_POINTS:
+    if len(x) < _FEWEST_POINTS:
         reason = "; ".join([f"{rows.name} has {len(x)} turning points", *notes])
-        raise InputError("FILE", reason, f"at least {LEAST_POINTS}")
+        raise InputError("FILE", reason, f"at least {_FEWEST_POINTS}")
     if not np.ptp(np.abs(x)) > 0:
         raise InputError("FILE", f"{rows.name}, column x: all values are {abs(x[0]):g}", "amplitudes that change")
     if not abs(x[0]) > 0:

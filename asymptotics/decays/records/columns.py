@@ -249,7 +249,7 @@ def _place_of(
     live = [i for i, n in enumerate(names) if n]
     if all(_NO_NAME.fullmatch(names[i]) for i in live):
         order = (*COLUMNS[kind], *OPTIONAL[kind])
-        if len(live) <= len(order):
+        if len(live) <= len(order) and (order.index(column) < len(live) or not needed):
             return live[order.index(column)] if order.index(column) < len(live) else None
     free = [i for i in range(len(names)) if i not in used and names[i]]
     meant, said = _MEANT.get(column, column), quantities(names)

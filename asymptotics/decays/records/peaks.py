@@ -39,10 +39,10 @@ _VOLTS, _CLOCK = ("v", "mv", "uv", "\u00b5v", "\u03bcv"), 1e-3
 _LOCK_IN = re.compile(r"R\b")
 """What a lock-in amplifier calls the magnitude, beside X, Y and theta."""
 _CYCLES = re.compile(r"\bcycles?\b", re.IGNORECASE)
-_LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART, _TWICE = 5, 500, 0.8, 0.15, -0.9, 1.5, 0.2
-"""Rows that are peaks: of fewer nothing is told, more are a sampled envelope; the share of steps that fall; by how much
-of a period a peak may be off its place; the correlation of an envelope with the time; how many periods apart no
-peaks are; and within which share of a period a second maximum is the same peak."""
+_PEAKS, _TURNS, _LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART, _TWICE = 2, 3, 5, 500, 0.8, 0.15, -0.9, 1.5, 0.2
+"""Rows that are peaks of one side, turning points of both, and samples of an envelope; more are no peaks; the share of
+steps that fall; by how much of a period a peak may be off its place; the correlation of an envelope with the time; how
+many periods apart no peaks are; and within which share of a period a second maximum is the same peak."""
 
 
 def _is_amplitude(name: str) -> bool:
@@ -53,7 +53,7 @@ def _is_amplitude(name: str) -> bool:
 def peaks_of_one_side(name: str, t: Array, x: Array) -> Array | None:
     """The numbers n of the turning points; None for what is no sequence of peaks."""
     whole = np.isfinite(t) & np.isfinite(x)
-    if not _is_amplitude(name) or not whole.all() or not _LEAST <= len(x) <= _MOST or not (x > 0).all():
+    if not _is_amplitude(name) or not whole.all() or not _PEAKS <= len(x) <= _MOST or not (x > 0).all():
         return None
     steps = np.diff(t)
     period = float(np.median(steps))
@@ -114,7 +114,7 @@ def turns(t: Array, x: Array) -> Array | None:
     (array([0., 1., 2., 3., 4., 5., 6., 7., 8.]), True)
     """
     whole = np.isfinite(t) & np.isfinite(x)
-    if not whole.all() or not _LEAST <= len(x) <= _MOST or not (x[1:] * x[:-1] < 0).all():
+    if not whole.all() or not _TURNS <= len(x) <= _MOST or not (x[1:] * x[:-1] < 0).all():
         return None
     steps = np.diff(t)
     even = np.abs(steps / np.median(steps) - 1) < _EVEN if np.median(steps) > 0 else np.zeros(1, dtype=bool)

@@ -52,6 +52,8 @@ from asymptotics.errors import InputError, require_choice
 Array = NDArray[np.float64]
 MAX_SIZE = 1e60
 """Beyond this, or below its inverse, the fifth power of an amplitude leaves the doubles: no measurement does."""
+_FEW = 4
+"""Turning points below which the errors that stand beside them are taken as they are."""
 _TOLERATED = 0.1
 """The share of rows (and one more) that may be unreadable."""
 
@@ -146,7 +148,9 @@ def _with_errors(table: RecordTable, choice: Choice, given: Source, time: str) -
     if not errors:
         return table
     named = ", ".join(repr(given.names[places[c.removeprefix("sigma_")]]) for c in errors)
-    said = f"errors from {named}: their proportions weigh the fit, their size is found with it"
+    few = len(table.columns["x"]) < _FEW
+    found = "they make the interval of Q" if few else "their proportions weigh the fit, their size is found with it"
+    said = f"errors from {named}: {found}"
     return replace(table, columns={**table.columns, **errors}, notes=(*table.notes, said))
 
 

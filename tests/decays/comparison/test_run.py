@@ -21,6 +21,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import examples
 
+from tests.each import each
+
 EPSILON = 0.1
 
 
@@ -147,7 +149,7 @@ def test_units_scale_what_is_compared(tmp_path, table):
     assert moment.rows[1].digits == dimensionless.rows[1].digits
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "columns", "words"),
     [
         ("", None, "no rows"),

@@ -12,7 +12,9 @@ SURE, BELOW = Interval(0.04, 0.05, 0.06), Interval(-3.0, -2.0, -1.5)
 
 def fit(criterion=0.0, **more):
     """What most steps ask of a fit: AICc (infinite where there are no data to spare), and ``more``."""
-    return SimpleNamespace(**({"aicc": criterion, "scales": {"x": 1.0}} | more))
+    return SimpleNamespace(
+        **({"aicc": criterion, "scales": {"x": 1.0}, "model": SimpleNamespace(alternating=False)} | more)
+    )
 
 
 def law(text, found=None, *, missed="", left=1.0, **known):

@@ -29,6 +29,9 @@ def test_two_amplitudes_and_a_time_give_b(clock, values, cycles):
         assert strength(found, law) == pytest.approx([value], rel=1e-9)
     assert "none is tested" in " ".join(found.notes) and "skipped: 0+1 (2 strengths)" in found.notes[-1]
     assert found.to_dict()["laws"][0]["strengths"][0]["low"] is None and "[" not in found.verdict
+    # It said "dry friction: consistent", of four laws that all meet one number.
+    assert found.verdict.startswith("one loss tests no law: epsilon_0 = ") and found.verdict.count(" or ") == 3
+    assert {c.grade for c in found.laws} == {"not tested"}
     # With m and k it is b, in SI, and the time is in s.
     si = asy.damping_law({"A": [0.12, 0.06], clock: values}, mass="1/5", stiffness=20)
     assert strength(si, "1") == pytest.approx([right["1"] * (1 if clock == "t" else 10) * 0.2], rel=1e-9)

@@ -31,6 +31,7 @@ from asymptotics.decays.identification.inverse_damping import (
 )
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.numbers.policy import exact_number
+from tests.each import each
 
 A = np.array([0.1, 0.2, 0.4, 0.8, 1.6])
 
@@ -172,7 +173,7 @@ def test_a_candidate_and_a_strength_are_told():
 # The table.
 
 
-@pytest.mark.parametrize(
+@each(
     ("name", "what"),
     [
         ("A", "amplitude"), ("Amplitude [deg]", "amplitude"), (" a (mm) ", "amplitude"), ("A / mm", "amplitude"),

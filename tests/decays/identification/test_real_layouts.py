@@ -151,12 +151,19 @@ def test_a_body_that_is_caught_and_let_go_again_is_several_runs_of_one_law():
 
 def test_a_place_that_is_called_an_acceleration():
     """Dry friction, exactly: (A - f) cos about f of either sign; an acceleration would jump where the motion turns."""
-    t, f = np.arange(0, 20, 0.01), 0.02
+    t, f = np.arange(0, 10, 0.01), 0.02
     half = np.floor(t * W / np.pi)
     size = 0.55 - 2 * f * half
     x = np.where(size > f, (size - f) * np.cos(W * t) + f * (-1) ** half, np.nan)
     x = x[np.isfinite(x)] + noise(int(np.isfinite(x).sum()), 1e-4)
-    found = asked({"t": t[: len(x)], "Acc": x}, ["0", "1", "0+1"])
-    assert found.verdict.kind == "none fits" and any("if it is a place, --kind record" in note for note in found.notes)
-    place = asked({"t": t[: len(x)], "Acc": x}, ["0", "1", "0+1"], kind="record")
-    assert place.law("0").law.epsilon[0].contains(f) and not any("if it is a place" in note for note in place.notes)
+    data = {"t": t[: len(x)], "Acc": x}
+    found = asked(data, ["0", "1", "0+1"])
+    # Failed before: none fits, and --kind record was asked for.
+    assert found.law("0").law.epsilon[0].contains(f) and found.law("0").law.verdict == "consistent"
+    assert "read as a place, which a law fits" in found.notes[0] and "--kind acceleration" in found.notes[0]
+    # Near misses: what is said stands, and so does a unit; and no law fits it as a place either.
+    wrong = asked(data, ["1"], kind="acceleration")
+    assert wrong.verdict.kind == "none fits" and not any("read as a place" in note for note in wrong.notes)
+    for column, law in (("Acc (m/s^2)", "0"), ("Acc", "3")):
+        kept = asked({"t": data["t"], column: x}, [law])
+        assert kept.runs[0].samples.derivative == 2 and not any("read as a place" in note for note in kept.notes)

@@ -12,6 +12,7 @@ from asymptotics.expansions.moments.exact import integer_moment, moment
 from asymptotics.numbers.bridge import closed_form_ball
 from asymptotics.numbers.exact import parse_real
 from asymptotics.numbers.rationals import to_fmpq
+from tests.each import each
 
 
 @pytest.mark.parametrize("p", range(9))
@@ -24,7 +25,7 @@ def test_integer_moments_by_two_routes(p):
     assert not ball.overlaps(closed_form_ball(symbolic.moment(p + 1)))
 
 
-@pytest.mark.parametrize(
+@each(
     "p", [Fraction(n, d) for d in (1, 2, 3, 7, 30) for n in (-1, 1, 5, 12, 61) if Fraction(n, d) > -1] + [Fraction(999)]
 )
 def test_a_moment_is_written_as_sympy_writes_it(p):

@@ -9,6 +9,7 @@ from asymptotics.expansions.multiple_scales.exact import odd_hierarchy
 from asymptotics.expansions.multiple_scales.initial import initial_conditions, map_to_turning_points
 from asymptotics.expansions.normal_form.expansion import exact_expansion
 from asymptotics.gauges import GAUGES
+from tests.each import each
 from tests.second_route.multiscale_observables import flow_in, half_swing_of
 from tests.second_route.multiscale_residual import with_amplitude_coefficient
 
@@ -49,8 +50,8 @@ def test_initial_conditions_of_linear_damping():
     assert [start.phase[n] for n in (1, 3)] == [fmpq(-1, 2), fmpq(-1, 48)]  # -arcsin(eps/2)
 
 
-@pytest.mark.parametrize("gauge", GAUGES)
-@pytest.mark.parametrize(("alphas", "order"), LAWS)
+@each("gauge", GAUGES)
+@each(("alphas", "order"), LAWS)
 def test_every_gauge(alphas, order, gauge):
     found, engine = flow_in(odd_hierarchy(alphas, order), gauge), exact_expansion(alphas, order, gauge)
     assert (found.p - engine.p).coefficients == {}

@@ -27,6 +27,7 @@ from asymptotics.gauges import GAUGES
 from asymptotics.numbers.bridge import closed_form_ball, to_sympy
 from asymptotics.numbers.exact import parse_real
 from asymptotics.terms import Term
+from tests.each import each
 from tests.second_route.harmonic_sums import cosine_harmonic, cross_sum
 from tests.second_route.observables_of_powers import half_period, log_ratio
 
@@ -143,7 +144,7 @@ def test_the_public_function_and_its_words():
     assert asy.multiple_scales(asy.Law({}, spring={2: 1})).amplitude_rate == 0
 
 
-@pytest.mark.parametrize(
+@each(
     ("law", "spring", "order", "gauge", "argument"),
     [
         ("3/2", {3: 1}, 13, None, "order"), (1, {2: 1}, 4, None, "order"), ({(2, 1): 1}, None, 3, None, "order"),

@@ -12,6 +12,7 @@ from asymptotics.expansions.normal_form.flow import flow_of
 from asymptotics.expansions.normal_form.in_moments import second_order_sum
 from asymptotics.expansions.normal_form.symbolic import omega_2, symbolic_expansion
 from asymptotics.gauges import GAUGES
+from tests.each import each
 from tests.second_route.closed_forms import certified_coefficients, derived_coefficient
 
 
@@ -46,8 +47,8 @@ def test_certified_closed_forms_enclose_the_exact_ones(n):
                 assert not ball.overlaps(truth + arb(10) ** -20)
 
 
-@pytest.mark.parametrize("n", range(7))
-@pytest.mark.parametrize("gauge", GAUGES)
+@each("n", range(7))
+@each("gauge", GAUGES)
 def test_omega_2_in_each_gauge(n, gauge):
     c = exact_expansion((n,), 2, gauge).Omega[2]
     assert sympy.simplify(omega_2(gauge).subs(alpha, n) - (c if isinstance(c, int) else c.to_sympy())) == 0

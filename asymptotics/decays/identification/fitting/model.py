@@ -82,21 +82,30 @@ class Model:
         self._known = law.copy(), run
         return run
 
+    def _found_sequence(self, theta: Array) -> TurningSequence:
+        """The turning points of a law that was fitted: beside the edge of its domain, where the last amplitude is
+        nearly 0, a guess from another law may lead out of it, and none is needed."""
+        try:
+            return self._sequence(theta)
+        except TooStrongError:
+            self._known = None
+            return self._sequence(theta)
+
     def amplitudes(self, theta: Array) -> tuple[Array, Array]:
         """The amplitudes at the turning points 0 ... last, about the rest position, in the unit of the data, and their
         derivatives by the first amplitude and the law."""
-        run = self._sequence(theta)
+        run = self._found_sequence(theta)
         radius = self.reference * np.exp(run.a)
         size, stretch = (radius, np.ones(1)) if self.angle is None else angle(radius, self.angle)
         return size, radius * stretch * run.d_a
 
     def turning_times(self, theta: Array) -> Array:
         """The times of the turning points 0 ... last, where there are times."""
-        return np.asarray(theta[-1] + np.exp(-theta[-2]) * self._sequence(theta).tau)
+        return np.asarray(theta[-1] + np.exp(-theta[-2]) * self._found_sequence(theta).tau)
 
     def periods(self, theta: Array) -> tuple[Array, Array]:
         """Twice the time from each turning point to the next, and its derivatives (half-swings, parameters)."""
-        run, rate = self._sequence(theta), np.exp(-theta[-2])
+        run, rate = self._found_sequence(theta), np.exp(-theta[-2])
         slopes = 2 * np.diff(self._time_slopes(rate, run.tau, run.d_tau), axis=0)
         return 2 * rate * np.diff(run.tau), slopes
 

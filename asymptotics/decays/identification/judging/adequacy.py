@@ -19,6 +19,7 @@ from asymptotics.decays.identification.fitting.model import Model, Noise
 from asymptotics.decays.identification.fitting.waveform import WaveformModel
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc, chosen
+from asymptotics.present.percent import percent
 
 Levels = Mapping[str, tuple[float, float]]
 """For each kind of data the noise level and its degrees of freedom."""
@@ -85,8 +86,15 @@ def adequate(fit: Fit, levels: Levels, left: float = 1.0) -> tuple[bool, str]:
     beyond = fit.scales["x"] > 1.01 * fit.model.floor("x", fit.theta)
     if left == 1 and beyond and share > _LINE and p < _SURELY and len(fit.model.seen.n) >= _LONG:
         good = False
-        said.append(f"{share:.0%} of the residual of x is one line at {frequency:.3g} cycles a half-swing")
+        said.append(f"{percent(share)} of the residual of x is one line at {_place(fit.model, frequency)}")
     return good, "; ".join(said)
+
+
+def _place(model: Model, frequency: float) -> str:
+    """A frequency in cycles from datum to datum in words: those of samples have times."""
+    if not isinstance(model, WaveformModel):
+        return f"{frequency:.3g} cycles a half-swing"
+    return f"{frequency / float(np.median(np.diff(model.samples.t))):.3g} Hz"
 
 
 def _exceeds(own: float, freedom: float, level: float, of_level: float) -> bool:
@@ -98,7 +106,7 @@ def _exceeds(own: float, freedom: float, level: float, of_level: float) -> bool:
 
 
 def strongest_line(r: Array) -> tuple[float, float, float]:
-    """(share of the power in the strongest line with its neighbours, its frequency in cycles a half-swing, p-value).
+    """(share of the power in the strongest line with its neighbours, its frequency in cycles a datum, p-value).
 
     p bounds the probability that white noise of this length has so large a share g in one of its m lines alone:
     each has it with probability (1 - g)^(m - 1), so that p = m (1 - g)^(m - 1).

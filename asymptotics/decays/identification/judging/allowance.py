@@ -6,6 +6,8 @@ first amplitude.
 
 >>> str(Allowance("2", 0.0123, 0.034)), str(Allowance("s3", None))
 ('2 up to 0.012 (3.4 %)', 's3 without limit')
+>>> str(Allowance("2", 0.46, 1.19))  # more than the law without it loses: no share of anything
+'2 up to 0.46 (all of it)'
 """
 
 from collections.abc import Sequence
@@ -33,7 +35,7 @@ class Allowance(Shown):
     def __str__(self) -> str:
         if self.largest is None:
             return f"{self.term} without limit"
-        part = "" if self.share is None else f" ({percent(self.share)})"
+        part = "" if self.share is None else f" ({percent(self.share) if self.share < 1 else 'all of it'})"
         return f"{self.term} up to {self.largest:.2g}{part}"
 
     def to_dict(self) -> dict[str, str | None]:

@@ -228,10 +228,16 @@ def _holds_exponent(larger: Judged, smaller: Judged) -> bool:
 
 
 def minimal(laws: Sequence[Judged]) -> list[Judged]:
-    """The consistent laws that contain no other consistent law, the best physical one first."""
+    """The consistent laws that contain no other consistent law, the best physical one first; a physical law is not set
+    aside by one inside it that needs a negative loss."""
     consistent = [law for law in laws if law.verdict == "consistent"]
-    kept = [law for law in consistent if not any(contains(law, other) for other in consistent)]
+    kept = [law for law in consistent if not any(_sets_aside(other, law) for other in consistent)]
     return sorted(kept, key=lambda law: (bool(law.negative), law.criterion))
+
+
+def _sets_aside(smaller: Judged, larger: Judged) -> bool:
+    """Whether the terms that ``larger`` has beside ``smaller`` are not needed."""
+    return contains(larger, smaller) and (bool(larger.negative) or not smaller.negative)
 
 
 def rivals(laws: Sequence[Judged]) -> tuple[list[Judged], list[Judged]]:
@@ -239,14 +245,13 @@ def rivals(laws: Sequence[Judged]) -> tuple[list[Judged], list[Judged]]:
     improbable; or with a negative loss beside a physical law, for with none below 0 they are a law inside them, which
     is not consistent."""
     chosen = minimal(laws)
-    physical = any(not law.negative for law in chosen)
-    beaten = [
+    physical = [law for law in chosen if not law.negative] or chosen
+    standing = [
         law
-        for law in chosen
-        if (physical and law.negative)
-        or any(other.parameters < law.parameters and against(law, other).p < _DISFAVOURED for other in chosen)
+        for law in physical
+        if not any(other.parameters < law.parameters and against(law, other).p < _DISFAVOURED for other in physical)
     ]
-    return [law for law in chosen if law not in beaten], beaten
+    return standing, [law for law in chosen if law not in standing]
 
 
 def commented(laws: Sequence[Judged]) -> list[Judged]:
@@ -256,7 +261,7 @@ def commented(laws: Sequence[Judged]) -> list[Judged]:
 
 
 def _commented(law: Judged, smallest: Sequence[Judged]) -> Judged:
-    inside = next((other for other in smallest if contains(law, other)), None)
+    inside = next((other for other in smallest if _sets_aside(other, law)), None)
     if inside is None:
         return replace(law, reason="", unneeded=())
     held = {name: ends.contains(0.0) for name, ends in law.strengths}

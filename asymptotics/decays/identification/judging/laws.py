@@ -103,8 +103,8 @@ class Evidence:
 class Judged:
     """A fitted law with its intervals, what speaks about it, and its verdict with the ``reason``.
 
-    ``excess``: AICc above the best; ``total``: of several runs, the sum of AICc; ``unneeded``: terms that a smaller
-    consistent law does without.
+    ``excess``: AICc above the best; ``total``: of several runs, the sum of AICc, and ``runs``: the law in each of them;
+    ``unneeded``: terms that a smaller consistent law does without.
     """
 
     fitted: Fitted
@@ -115,6 +115,7 @@ class Judged:
     excess: float = float("inf")
     total: float | None = None
     unneeded: tuple[str, ...] = ()
+    runs: tuple["Judged", ...] = ()
 
     @classmethod
     def of(cls, fitted: Fitted) -> "Judged":
@@ -130,6 +131,11 @@ class Judged:
     def fit(self) -> Fit | None:
         """Its fit, if there is one."""
         return self.fitted.fit
+
+    @property
+    def fits(self) -> tuple[Fit, ...]:
+        """Its fit, or those to several runs."""
+        return tuple(law.fit for law in self.runs or (self,) if law.fit is not None)
 
     @property
     def usable(self) -> bool:

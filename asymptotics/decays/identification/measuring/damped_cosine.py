@@ -29,6 +29,8 @@ Ends = dict[str, float]
 _POWERS, _OTHERS, _NEAR = (-1, 0, 1, 2), 5, 4.0
 """Of A/A_0 in the rate of decay; what is fitted beside the rates: ln A_0, phi, omega, base, drift; and the criterion
 above the best up to which a choice of powers is believed too."""
+FEWEST_SAMPLES = _OTHERS + 4
+"""Two rates are fitted too, and two samples are left for the noise."""
 _LEAST, _MEMORY = 1e-4, 0.9
 """The share of A_0 at which an amplitude ends, as that of dry friction does; and the greatest correlation of
 neighbours that is allowed for: at 0.9 a standard error is 4.4 times that of white noise."""
@@ -43,22 +45,27 @@ _PLACES, _OVERTONES = np.linspace(0.0, 2 * np.pi, 721), np.arange(3, 60, 2)
 
 @dataclass(frozen=True)
 class DampedCosine:
-    """``omega``: in rad a unit of time, with its interval; ``fall``: what ln A loses in a half-swing at an amplitude;
-    ``size``: the amplitude of the motion at a time, by the best choice of powers."""
+    """``omega``: in rad/s, with its interval; ``fall``: what ln A loses in a half-swing at an amplitude;
+    ``size``: the amplitude of the motion at a time, by the best choice of powers; ``phase``: psi of the samples at the
+    first of them; ``residual``: what is left, and ``memory``, the correlation of neighbours in it."""
 
     omega: Ends
     fall: Callable[[float], Ends]
     size: Callable[[Array], Array]
+    phase: float
+    residual: Array
+    memory: float
 
 
 @dataclass(frozen=True, eq=False)
 class _Fit:
-    """``c``: what was fitted, the rates last; the inverse of its normal matrix, the sum of squares that is left, and
-    the correlation of neighbours in it: noise that remembers, or no damped cosine."""
+    """``c``: what was fitted, the rates last; the inverse of its normal matrix, what is left and its sum of squares,
+    and the correlation of neighbours in it: noise that remembers, or no damped cosine."""
 
     powers: tuple[int, ...]
     c: Array
     inverse: Array
+    residual: Array
     left: float
     memory: float
 
@@ -68,9 +75,11 @@ def damped_cosine(t: Array, x: Array, omega: float, rate: float, derivative: int
 
     ``derivative``: of the motion, which the samples are; amplitudes are those of the motion.
     """
+    if len(t) < FEWEST_SAMPLES:
+        return None
     omega, rate = _begun(t - t[0], x, omega, max(rate, 1e-3 * omega))
     sets = [c for count in (1, 2) for c in combinations(_POWERS, count)]
-    tried = [_fitted(t - t[0], x, powers, omega, rate, derivative == 0) for powers in sets if len(t) > _OTHERS + 3]
+    tried = [_fitted(t - t[0], x, powers, omega, rate, derivative == 0) for powers in sets]
     found = [fit for fit in tried if fit is not None]
     if not found:
         return None
@@ -97,7 +106,8 @@ def damped_cosine(t: Array, x: Array, omega: float, rate: float, derivative: int
         return np.asarray(np.exp(best.c[0]) * shape / best.c[2] ** derivative)
 
     frequency = united([(float(fit.c[2]), np.eye(len(fit.c))[2]) for fit in near])
-    return DampedCosine(frequency, lambda a: united([_fall(fit, a, derivative) for fit in near]), size)
+    fall = lambda a: united([_fall(fit, a, derivative) for fit in near])  # noqa: E731
+    return DampedCosine(frequency, fall, size, float(best.c[1]), best.residual, best.memory)
 
 
 def _fall(fit: _Fit, amplitude: float, derivative: int) -> tuple[float, Array]:
@@ -174,4 +184,4 @@ def _fitted(s: Array, x: Array, powers: tuple[int, ...], omega: float, rate: flo
     r = np.asarray(found.fun)
     left = max(float(r @ r), 1e-24 * float(x @ x), 1e-300)  # what fits exactly has a logarithm still
     memory = float(np.clip(r[1:] @ r[:-1] / left, 0, _MEMORY))
-    return _Fit(powers, np.asarray(found.x), np.asarray(inverse), left, memory)
+    return _Fit(powers, np.asarray(found.x), np.asarray(inverse), r, left, memory)

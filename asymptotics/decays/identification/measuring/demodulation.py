@@ -84,7 +84,7 @@ class SpectralLine:
     def turning_points(self, derivative: int = 0) -> tuple[Indices, Array, Array, Flags]:
         """(n, times, signed values) of the motion, of which the record is this derivative: from the last one before
         the first sample to the first after the last; and which of them lie inside, where the line is known."""
-        P, Q = (self._integrated(c, k, derivative) for c, k in ((self.modulation, 1), (self.third, 3)))
+        P, Q = (self.integrated(c, k, derivative) for c, k in ((self.modulation, 1), (self.third, 3)))
         count = int(_FINE * (self.t[-1] - self.t[0]) * self.omega / (2 * np.pi)) + 3
         grid = np.linspace(self.t[0], self.t[-1], count)
         modulation = np.polynomial.chebyshev.chebval(self._places(grid), P)
@@ -117,7 +117,7 @@ class SpectralLine:
         times, inside, values = np.where(own, times, by_phase), inside & own, np.where(own, values, guessed)
         return np.arange(len(k)), times, np.where(inside, self._sum(P, Q, times, 0), values), inside
 
-    def _integrated(self, c: Array, harmonic: int, derivative: int) -> Array:
+    def integrated(self, c: Array, harmonic: int, derivative: int) -> Array:
         """Coefficients of P when the record, a derivative, is integrated: sum_k (-1)^k P^(k)/(i k omega)^(k+1)."""
         rate = 1j * harmonic * self.omega
         for _ in range(derivative):
@@ -130,6 +130,11 @@ class SpectralLine:
                 term = -np.polynomial.chebyshev.chebder(term, scl=2 / (self.t[-1] - self.t[0])) / rate
             c = total
         return c
+
+    def wave(self, c: Array, harmonic: int, t: Array) -> Array:
+        """Re(c(u) e^(i harmonic omega t))."""
+        modulation = np.polynomial.chebyshev.chebval(self._places(t), c)
+        return np.asarray((modulation * np.exp(1j * harmonic * self.omega * t)).real)
 
     def _sum(self, P: Array, Q: Array, t: Array, order: int) -> Array:
         """A derivative by time of Re(P e^(i w t)) + Re(Q e^(3 i w t))."""
@@ -154,7 +159,7 @@ def demodulated(t: Array, x: Array, period: float | None = None) -> SpectralLine
     # The frequency of the spectrum is off by up to half a bin: the mean drift of the phase corrects it, until it is
     # less than 0.3 rad over the record, which the modulation takes up.
     for _ in range(3):
-        line = _line(t, x, omega)
+        line = fitted_line(t, x, omega)
         grid = np.linspace(t[0], t[-1], 400)
         size, phase = line.at(grid)
         loud = _loud(size)
@@ -175,7 +180,7 @@ def _loud(size: Array) -> slice:
     return slice(min(first, max(top - least, 0)), max(last, min(top + least, len(size))))
 
 
-def _line(t: Array, x: Array, omega: float) -> SpectralLine:
+def fitted_line(t: Array, x: Array, omega: float) -> SpectralLine:
     """The line of the degree that Akaike's criterion chooses: the columns of all degrees are nested, so that one
     factorisation answers for each of them."""
     u = 2 * (t - t[0]) / (t[-1] - t[0]) - 1

@@ -22,6 +22,7 @@ import numpy as np
 
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.defects import shape_notes, usable
+from asymptotics.decays.identification.measuring.few_swings import observations_of_few_swings
 from asymptotics.decays.identification.measuring.late_extremes import DEGREE, Window
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.observations import Indices, Observations, Samples
@@ -106,7 +107,7 @@ def observations_of_record(
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     # A drift below three errors is removed all the same, but not worth telling.
     if abs(base[1]) * (t[-1] - t[0]) > 3 * np.median(found.sigma_x):
-        notes.append(f"base line {base[0]:.4g} and drift {base[1]:.3g} a unit of time removed")
+        notes.append(f"base line {base[0]:.4g} and drift {base[1]:.3g} a second removed")
     else:
         notes.append(f"base line {base[0]:.4g} removed")
     chosen, discarded = _free_decay(found)
@@ -114,7 +115,9 @@ def observations_of_record(
         free = t >= (found.t[chosen[0]] if len(chosen) else t[0])
         return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=table.notes, period=period)
     if len(chosen) < _LEAST_EXTREMES:
-        raise InputError("FILE", f"only {len(chosen)} turning points form a free decay", f"at least {_LEAST_EXTREMES}")
+        free = t >= (found.t[chosen[0]] if len(chosen) else t[0])
+        kept = (*table.notes, *discarded, f"only {len(chosen)} turning points form a free decay")
+        return observations_of_few_swings(t[free], x[free], unit=unit, name=name, notes=kept)
     # Windows of nine samples for seven coefficients throw most of a sparse record away: noise that is seen is enough.
     sparse = per_period < _SAMPLES / _WINDOW
     noisy = found.noise > (_COARSE if sparse else _NOISY) * abs(found.x[chosen[0]])
@@ -358,10 +361,12 @@ def _steps(t: Array) -> Array:
 
 def _start_of_freedom(t: Array) -> int:
     """How many of the first half periods do not lie on the line through the next eight: the hand is still there."""
-    half, k = np.diff(t), np.arange(1, 9)
+    # Across an extreme that was not found are two half periods, and the middle of both is half a swing later.
+    steps = _steps(t)
+    half, middle = np.diff(t) / steps, np.cumsum(steps) - steps / 2
     # The latest of the first three that is disturbed takes those before it along.
     for first in (2, 1, 0):
-        following = half[first + 1 : first + 9]
+        following, k = half[first + 1 : first + 9], middle[first + 1 : first + 9]
         if len(following) < 8:
             continue
         line = np.polynomial.Polynomial.fit(k, following, 1)
@@ -369,7 +374,7 @@ def _start_of_freedom(t: Array) -> int:
         scatter = float(np.sqrt(np.mean((following - line(k)) ** 2) * 8 / 6))
         # Five of its scatter, extrapolated by one: chance hardly does that, and a hand does; less than what the local
         # fits themselves leave is no hand.
-        if abs(half[first] - line(0)) > max(5 * scatter, _EXACT * float(np.median(half)) / np.pi):
+        if abs(half[first] - line(middle[first])) > max(5 * scatter, _EXACT * float(np.median(half)) / np.pi):
             return first + 1
     return 0
 

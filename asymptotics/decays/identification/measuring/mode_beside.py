@@ -44,7 +44,7 @@ def with_mode_beside(
     assert seen.samples is not None
     beside = np.interp(seen.samples.t, t, line)
     mode = beginning(seen.samples.t, beside, omega)
-    said = f"a second mode at about {omega:.4g} rad a unit of time is fitted beside the motion"
+    said = f"a second mode at about {omega:.4g} rad/s is fitted beside the motion"
     samples = replace(seen.samples, x=seen.samples.x + beside, mode=mode)
     return replace(seen, samples=samples, notes=(*seen.notes, said))
 

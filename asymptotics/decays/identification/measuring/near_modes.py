@@ -33,6 +33,9 @@ _LEAST, _TURN, _WILD, _CANCEL = 0.2, 0.5, 30.0, 1.2
 much of a beat; no mode falls by more powers of e in it; and none is larger than so much of half the record's range."""
 _STRONG = 0.4
 """From this share on no law of one mode is fitted to the swings.  A choice."""
+_APART = 1.5
+"""Frequencies by more than this factor apart are no beat in words: what swells and fades is no slower than both.  A
+choice."""
 _DEPENDENT = 1e-10
 """Singular values below this share are those of columns that are the same in doubles."""
 _DEGREE, _LEFT, _ERRORS = 4, 0.06, 4.0
@@ -61,10 +64,8 @@ class NearModes:
     def in_words(self) -> str:
         """What the record does."""
         first, second = self.omega
-        return (
-            f"beats: two modes near each other, at {first:.4g} and {second:.4g} rad a unit of time, "
-            f"the second {percent(self.share)} of the first"
-        )
+        near = "beats: two modes near each other" if max(self.omega) < _APART * min(self.omega) else "has two modes"
+        return f"{near}, at {first:.4g} and {second:.4g} rad/s, the second {percent(self.share)} of the first"
 
 
 def near_modes(t: Array, x: Array) -> NearModes | None:

@@ -49,7 +49,8 @@ class Observations(Alike):
     true half-swings one n of an envelope counts (0 where nobody says), and ``spacing`` the time between two
     (``ringdown``); ``window``: that of the local fits which found the turning times, and find them late (None: measured
     otherwise); ``record``: the samples in which they were found, about the base line, for the picture alone;
-    ``written``: the unit of the file where it is none of those that are known, such as V.
+    ``written``: the unit of the file where it is none of those that are known, such as V; ``no_law``: why it can tell
+    no law from another, and none is tried (empty: it may).
     """
 
     n: Indices
@@ -71,6 +72,7 @@ class Observations(Alike):
     window: Window | None = None
     record: tuple[Array, Array] | None = None
     written: str = ""
+    no_law: str = ""
 
     @classmethod
     def of(

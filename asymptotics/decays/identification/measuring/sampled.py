@@ -8,9 +8,11 @@ turning points that start the fit.  An offset or a drift of the sensor is the ba
 from dataclasses import replace
 
 import numpy as np
+from scipy.special import fdtrc
 
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.demodulation import SpectralLine, demodulated
+from asymptotics.decays.identification.measuring.few_swings import ENOUGH_PERIODS, observations_of_few_swings
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.observations import Observations, Samples
 from asymptotics.errors import InputError
@@ -26,6 +28,8 @@ _PER_PERIOD = 2.2
 """Just above the two samples a period at which a line and its mirror image are the same."""
 _HIDDEN, _LOUD = 1.5, 0.5
 """A decay ends where the line is below 1.5 of the noise, and is none where the noise is above half of its largest."""
+_CHANCE = 1e-3
+"""That the largest of as many lines as there are frequencies is one of noise."""
 _TRUE, _GUESSED = 3e-4, 0.05
 """What the line itself may be off, as a share of an extreme: inside the record, and beyond its ends, where it is
 continued by polynomials; they only weigh the first look at a law, and the samples decide."""
@@ -47,14 +51,17 @@ def observations_of_motion(
         if step > 1:
             t, x = _thinned(t, x, 2 * np.pi / period, step)
             notes = (*notes, f"the means of {step} samples each are fitted")
-    line = demodulated(t, x, period)
+    line, whole, told = demodulated(t, x, period), (t, x), notes
     keep = _free(line, t)
     # Once more on the free decay alone: what is forced or hidden has bent the polynomials.
     if keep.sum() >= LEAST_SAMPLES and not keep.all():
         t, x = t[keep], x[keep]
         notes = (*notes, f"free decay from t = {t[0]:.6g} to {t[-1]:.6g}: the rest is forced, held or hidden by noise")
         line = demodulated(t, x, 2 * np.pi / line.omega)
-    _require_line(line, t, name)
+    _require_samples(line, t, name)
+    if _is_no_line(line, t, x):
+        # What is left of a wild line may be a piece of a swing: all samples are asked.
+        return observations_of_few_swings(*whole, unit=unit, name=name, notes=told, derivative=derivative)
     n, times, values, inside = line.turning_points(derivative)
     late = _begins_late(times, float(t[0]))
     if late:
@@ -113,14 +120,20 @@ def _free(line: SpectralLine, t: Array) -> Array:
     return np.asarray(keep)
 
 
-def _require_line(line: SpectralLine, t: Array, name: str) -> None:
+def _require_samples(line: SpectralLine, t: Array, name: str) -> None:
     per_period = 2 * np.pi / line.omega * (len(t) - 1) / (t[-1] - t[0])
-    periods = (t[-1] - t[0]) * line.omega / (2 * np.pi)
     if len(t) < LEAST_SAMPLES or per_period < _PER_PERIOD:
         reason = f"{name} has {len(t)} samples, {per_period:.3g} a period"
         raise InputError("FILE", reason, f"at least {LEAST_SAMPLES} samples, {_PER_PERIOD} a period, or turning points")
-    # Base, drift and a line of degree 2 fit anything shorter.
-    if periods < 1.5:
-        raise InputError("FILE", f"{name} shows {periods:.2g} periods", "at least 1.5 periods of a free decay")
-    if line.noise > _LOUD * float(line.at(t)[0].max()):
-        raise InputError("FILE", f"{name} shows no oscillation above its noise", "a free decay")
+
+
+def _is_no_line(line: SpectralLine, t: Array, x: Array) -> bool:
+    """Whether a line has too few periods, or is no more than noise makes of so many coefficients."""
+    periods = (t[-1] - t[0]) * line.omega / (2 * np.pi)
+    if periods < ENOUGH_PERIODS or line.noise > _LOUD * float(line.at(t)[0].max()):
+        return True
+    # Snedecor's F of the line beside a base and a drift; of noise that remembers there is less, and it is louder.
+    count, slow = len(t) - 2 - line.freedom, (1 - line.memory) / (1 + line.memory)
+    left = float(((x - np.polynomial.Polynomial.fit(t, x, 1)(t)) ** 2).sum())
+    ratio = slow * max(left / line.noise**2 - line.freedom, 0.0) / count
+    return float(fdtrc(count, max(slow * line.freedom, 1.0), ratio)) > _CHANCE / len(t)

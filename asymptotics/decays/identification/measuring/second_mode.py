@@ -13,7 +13,7 @@ tell apart, a line is its modulation: such a beat is named (``defects``), not ta
 >>> pure, line = np.exp(-0.01 * t) * np.cos(t), 0.05 * np.exp(-0.02 * t) * np.cos(2.7 * t)
 >>> rest, notes = without_second_modes(t, pure + line)
 >>> bool(np.abs(rest - pure).max() < 1e-3), notes
-(True, ('a second mode at 2.7 rad a unit of time, 5 % of the first at the beginning, measured and taken off',))
+(True, ('a second mode at 2.7 rad/s, 5 % of the first at the beginning, measured and taken off',))
 """
 
 import numpy as np
@@ -145,7 +145,7 @@ def line_beside(
     c = solved(main, line[some, :columns], X)[main.shape[1] :]
     first_sign = (-1.0) ** np.arange(columns // 2)  # Chebyshev's polynomials at the beginning
     size = float(np.hypot(*(first_sign @ c.reshape(-1, 2)))) / float(first.at(T)[0][0])
-    said = f"a second mode at {other:.4g} rad a unit of time, {percent(size)} of the first at the beginning"
+    said = f"a second mode at {other:.4g} rad/s, {percent(size)} of the first at the beginning"
     taken = line[:, :columns] @ c
     # A line larger than the record itself is one of two that cancel: the fit has not told it from the motion.
     if float(np.abs(taken).max()) > float(np.ptp(x)) / 2:

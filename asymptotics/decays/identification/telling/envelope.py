@@ -4,7 +4,8 @@ In a half-swing ln A falls by a sum of powers of A (from 1/A to A^3; which of th
 fall, at the first amplitude, the last and the geometric mean of both, with 95 % intervals of the regression.  No law of
 motion enters, and no spring: it is told for every record that swings, whatever the verdict is.  The intervals are those
 of all choices of powers whose AICc is near that of the best.  Of four turning points and fewer the samples tell more: a
-damped cosine is fitted to them (``damped_cosine``); where there are none, one power at a time.
+damped cosine is fitted to them (``damped_cosine``); where there are none, one power at a time.  Of two or three turning
+points every power is believed; two have an interval where their errors are known.
 
 >>> n = np.arange(30)
 >>> found = envelope(Observations.of(n, (-1.0) ** n * np.exp(-0.05 * n), 0.5 * n))
@@ -16,7 +17,6 @@ damped cosine is fitted to them (``damped_cosine``); where there are none, one p
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import combinations
 from math import inf, log, pi
 from typing import Any
 
@@ -26,20 +26,26 @@ from scipy.special import stdtrit
 
 from asymptotics.decays.identification.fitting.starting import rest_position
 from asymptotics.decays.identification.forward.coefficients import Array
-from asymptotics.decays.identification.measuring.criteria import aicc, memory_factor
-from asymptotics.decays.identification.measuring.damped_cosine import damped_cosine
-from asymptotics.decays.identification.measuring.observations import Indices, Observations
+from asymptotics.decays.identification.measuring.criteria import memory_factor
+from asymptotics.decays.identification.measuring.damped_cosine import FEWEST_SAMPLES, DampedCosine, damped_cosine
+from asymptotics.decays.identification.measuring.few_swings import swings
+from asymptotics.decays.identification.measuring.line_errors import line_amplitudes
+from asymptotics.decays.identification.measuring.observations import Indices, Observations, Samples
 from asymptotics.decays.identification.telling.backbone import backbone, period_at
+from asymptotics.decays.identification.telling.decline import (
+    LEAST,
+    NORMAL,
+    Decline,
+    Ends,
+    decline_of,
+    decline_of_few,
+)
 from asymptotics.decays.records.units import SECONDS
 from asymptotics.numbers.quantities import ANGLES
 
-Ends = dict[str, float]
-Decline = Callable[[float], Ends]
 _INVERTED = {"low": "high", "estimate": "estimate", "high": "low"}
-_POWERS, _TERMS, _LEAST, _GRID, _NEAR = (-1, 0, 1, 2, 3), 3, 5, 101, 4.0
-"""Of A, in the fall of ln A: those by the losses of exponents 0 to 3, and of a loss in v^2 beside a pendulum; how many
-together; turning points below which there is one power alone; places between an amplitude and half of it; and the AICc
-above the best up to which a choice of powers is believed too."""
+_GRID = 101
+"""Places between an amplitude and half of it."""
 _FEWEST, _ENDED, _REST = 4, 1e-3, 1.5
 """Turning points that leave one more than a loss and the rest position have numbers; the share of the first amplitude
 at which a decay of few swings ends; and how many times longer than the others the half-swing is in which it comes to
@@ -55,7 +61,8 @@ points: a choice, tried with 5.5 to 9.5 a period and noises of 0.01 to 0.04."""
 class MeasuredEnvelope:
     """``period`` and ``half_life`` (from the first amplitude) in the file's unit of ``time``, None without times;
     ``quality``: Q at three amplitudes, in the ``unit`` of x; ``decay_rate``: that of the amplitude there, in a unit of
-    time; ``backbone``: the period there, of turning times; ``untold``: why there is no Q."""
+    time; ``backbone``: the period there, of turning times; ``untold``: why there is no Q; ``unsure``: why there are no
+    intervals."""
 
     period: Ends | None
     quality: tuple[Ends, ...]
@@ -65,6 +72,7 @@ class MeasuredEnvelope:
     backbone: tuple[Ends, ...] = ()
     decay_rate: tuple[Ends, ...] = ()
     untold: str = ""
+    unsure: str = ""
 
     def to_dict(self, law_known: bool) -> dict[str, Any]:
         """JSON-ready: numbers are strings, an end without a limit is null."""
@@ -72,6 +80,7 @@ class MeasuredEnvelope:
             "period": _texts(self.period), "quality": [_texts(q) for q in self.quality],
             "half_life": _texts(self.half_life), "time_unit": self.time, "law_known": law_known,
             "decay_rate": [_texts(rate) for rate in self.decay_rate], "quality_untold": self.untold or None,
+            "intervals_untold": self.unsure or None,
             "backbone": [self._at(row) for row in self.backbone],
         }  # fmt: skip
 
@@ -101,7 +110,7 @@ class MeasuredEnvelope:
         quality = f"Q = {', '.join(each)}{meant}"
         if self.untold:
             quality = f"rate of decay {', '.join(self._each(self.decay_rate))} 1/{self.time}; no Q: {self.untold}"
-        parts = (period, chirp, quality, life)
+        parts = (period, chirp, quality, life, self.unsure)
         return "envelope, before any law: " + "; ".join(part for part in parts if part)
 
     def rows(self) -> list[tuple[str, Ends]]:
@@ -124,22 +133,29 @@ class MeasuredEnvelope:
 
 def envelope(seen: Observations) -> MeasuredEnvelope | None:
     """From the turning points of a run before one is 0, and from its samples where they are few; None without both."""
-    size = np.abs(seen.x - (rest_position(seen) if seen.samples is None else 0.0))
+    # Of two or three points no rest position is known: that they do not stand about 0 would show in their scatter.
+    few = len(seen.n) < _FEWEST
+    size = np.abs(seen.x - (rest_position(seen) if seen.samples is None and not few else 0.0))
     inside = seen.inside & (np.cumsum(size <= 0) == 0)
     n, size = seen.n[inside], size[inside]
-    found = _by_samples(seen) if len(n) < _LEAST or _is_rough(seen, size) else None
-    if found is not None or len(n) < _FEWEST:
+    found = _by_samples(seen) if len(n) < LEAST or _is_rough(seen, size) else None
+    if found is not None or len(n) < (_FEWEST if seen.samples is not None else 2):
         return found
     scatter = float(np.mean(seen.sigma_x[inside])) if len(seen.sigma_x) else 0.0
     # The errors of a level are proportional to it; those of a place are alike.
     alike = 1.0 if seen.spacing is None or not len(seen.sigma_x) else seen.sigma_x[inside] / seen.sigma_x[0]
-    decline = _decline(n, size, scatter if seen.spacing is None else 0.0, alike)
+    known = scatter if seen.spacing is None else 0.0
+    root = None
+    if seen.samples is not None and _is_one_line(seen.samples):
+        size, root = line_amplitudes(seen.samples, seen.t[inside], n)
+    decline = decline_of_few(n, size, known) if len(n) < _FEWEST else decline_of(n, size, known, alike, root)
     if decline is None:
         return None
     ends = np.array([size[0], np.sqrt(size[0] * size[-1]), size[-1]])
     unknown = seen.without_frequency
     quality = () if unknown else tuple(_quality(float(a), decline(float(a)), seen.stride) for a in ends)
-    period = _period(n, seen.t[inside]) if seen.has_times else None
+    late = float(np.mean(seen.sigma_t[inside])) if len(seen.sigma_t) else 0.0
+    period = _period(n, seen.t[inside], late) if seen.has_times else None
     step = None if period is None else period["estimate"]
     if seen.spacing is not None:  # an envelope: n is an artificial clock, and the true period is known
         step = 2 * seen.spacing
@@ -151,7 +167,13 @@ def envelope(seen: Observations) -> MeasuredEnvelope | None:
     by = () if lasts is None else [lasts(float(a)) / SECONDS[time] for a in ends]
     rates = tuple(_rate(float(a), decline(float(a)), half) for a, half in zip(ends, by))
     untold = "nobody says how fast it swings (--omega0)" if unknown else ""
-    return MeasuredEnvelope(period, quality, life, seen.shown_unit, time, rows, rates, untold)
+    unsure = "" if len(n) > 2 or known else "two amplitudes have an interval only with their errors (a column of them)"
+    return MeasuredEnvelope(period, quality, life, seen.shown_unit, time, rows, rates, untold, unsure)
+
+
+def _is_one_line(samples: Samples) -> bool:
+    """Whether a smooth line of more degrees is the motion alone: no second mode, and no base line that wanders."""
+    return len(samples.t) >= FEWEST_SAMPLES and not samples.mode and samples.slow is None
 
 
 def _is_rough(seen: Observations, size: Array) -> bool:
@@ -164,8 +186,9 @@ def _is_rough(seen: Observations, size: Array) -> bool:
 
 def why_none(seen: Observations) -> str:
     """Why a run has no envelope, in words."""
-    what = "no damped cosine fits its samples" if _sampled(seen) is not None else "it has no samples"
-    return f"no envelope: fewer than {_FEWEST} turning points other than 0, and {what}"
+    sampled = _sampled(seen) is not None
+    what = "no damped cosine fits its samples" if sampled else "it has no samples"
+    return f"fewer than {_FEWEST if sampled else 2} turning points other than 0, and {what}"
 
 
 def _sampled(seen: Observations) -> tuple[Array, Array, int] | None:
@@ -177,18 +200,11 @@ def _sampled(seen: Observations) -> tuple[Array, Array, int] | None:
 
 def _by_samples(seen: Observations) -> MeasuredEnvelope | None:
     """From a damped cosine through the samples; None where there are none, or it does not fit."""
-    sampled = _sampled(seen)
-    if sampled is None or len(seen.t) < 2:
+    found = _of_few_swings(seen) or (None if seen.no_law else _of_all_swings(seen))
+    if found is None:
         return None
-    (t, x, derivative), last = sampled, _last_swing(seen.n, seen.t)
-    t, x = t[t <= seen.t[last]], x[t <= seen.t[last]]
-    at = seen.t[: last + 1][seen.inside[: last + 1]]
-    rate = -float(np.polyfit(seen.t[: last + 1], np.log(np.maximum(np.abs(seen.x[: last + 1]), 1e-300)), 1)[0])
-    omega = np.pi * float((seen.n[last] - seen.n[0]) / (seen.t[last] - seen.t[0]))
-    line = damped_cosine(t, x, omega, rate, derivative)
-    if line is None:
-        return None
-    size = line.size(at if len(at) > 1 else t[[0, -1]])
+    line, at = found
+    size = line.size(at)
     size = size[size > _ENDED * size[0]]
     time = seen.time_unit or "s"
     period = {k: v / SECONDS[time] if v > 0 else inf for k, v in _inverse(line.omega, 2 * pi).items()}
@@ -198,6 +214,35 @@ def _by_samples(seen: Observations) -> MeasuredEnvelope | None:
     rates = tuple(_rate(a, line.fall(a), half) for a in ends)
     life = _half_life(line.fall, size, lambda _: half)
     return MeasuredEnvelope(period, quality, life, seen.shown_unit, time, (), rates)
+
+
+def _of_few_swings(seen: Observations) -> tuple[DampedCosine, Array] | None:
+    """The damped cosine of a record of a swing or two, and the times of its first and last sample: where no turning
+    points are known, or where it leaves nothing but noise, for then they may lie anywhere."""
+    if seen.samples is None or (len(seen.n[seen.inside]) >= LEAST and not seen.no_law):
+        return None
+    t, x = seen.samples.t, seen.samples.x
+    found = swings(t, x, seen.samples.derivative)
+    if found is None or not (seen.no_law or memory_factor(found[0].residual) == 1):
+        return None
+    return found[0], t[[0, -1]]
+
+
+def _of_all_swings(seen: Observations) -> tuple[DampedCosine, Array] | None:
+    """A damped cosine as far as the record swings, and the times of its turning points."""
+    sampled = _sampled(seen)
+    if sampled is None or len(seen.t) < 2:
+        return None
+    (t, x, derivative), last = sampled, _last_swing(seen.n, seen.t)
+    if last < len(seen.t) - 1:
+        t, x = t[t <= seen.t[last]], x[t <= seen.t[last]]
+    if len(t) < FEWEST_SAMPLES:
+        return None
+    at = seen.t[: last + 1][seen.inside[: last + 1]]
+    rate = -float(np.polyfit(seen.t[: last + 1], np.log(np.maximum(np.abs(seen.x[: last + 1]), 1e-300)), 1)[0])
+    omega = np.pi * float((seen.n[last] - seen.n[0]) / (seen.t[last] - seen.t[0]))
+    line = damped_cosine(t, x, omega, rate, derivative)
+    return None if line is None else (line, at if len(at) > 1 else t[[0, -1]])
 
 
 def _last_swing(n: Indices, t: Array) -> int:
@@ -231,63 +276,15 @@ def _lasts(
     return (lambda _: step / 2) if found is None else (lambda amplitude: found(amplitude)["estimate"] / 2)
 
 
-def _decline(n: Indices, size: Array, stated: float, error: Array | float) -> Decline | None:
-    """What ln A loses in a half-swing at an amplitude: the sum of powers of A that the criterion chooses."""
-    gap = np.diff(n)
-    # The geometric mean is the amplitude in the middle of a half-swing; sums forgive noise where differences would not.
-    middle = np.sqrt(size[1:] * size[:-1]) / size[0]
-    sums = {k: -np.concatenate([[0.0], np.cumsum(gap * middle**k)]) for k in _POWERS}
-    # Of a few points all choices of one power have as many numbers: their sums of squares alone compare them.
-    few = len(n) < _LEAST
-    sets = [c for count in range(1, (1 if few else _TERMS) + 1) for c in combinations(_POWERS, count)]
-    weight = size / size[0] / error  # where the errors of the amplitudes are alike, those of their logarithms are not
-    found = []
-    for powers in sets:
-        V = np.stack([np.ones(len(size)), *(sums[k] for k in powers)], axis=1) * weight[:, None]
-        y = weight * np.log(size)
-        # The rest position was taken from them too, which counts where they are few.
-        c, freedom = np.linalg.lstsq(V, y, rcond=None)[0], max(len(size) - V.shape[1] - few, 1)
-        left = y - V @ c
-        rss = max(float((left**2).sum()), 1e-24)
-        deviance = len(y) * log(rss / len(y))
-        value = deviance if few else aicc(deviance, V.shape[1] + 1, len(y))
-        if np.isfinite(value):
-            # What is told of the amplitudes elsewhere counts where it is more than the scatter, as for a smooth line.
-            noise = max(rss / freedom, (stated / size[0]) ** 2) * memory_factor(left)
-            covariance = (np.linalg.pinv(V.T @ V) * noise)[1:, 1:] * float(stdtrit(freedom, 0.975)) ** 2
-            found.append((value, _Fall(powers, c[1:], covariance)))
-    if not found:
-        return None
-    least = min(value for value, _ in found)
-    near = [fall for value, fall in sorted(found, key=lambda pair: pair[0]) if value < least + _NEAR]
-
-    def decline(amplitude: float) -> Ends:
-        each = [fall.at(amplitude / size[0]) for fall in near]
-        return {
-            "low": min(value - error for value, error in each), "estimate": each[0][0],
-            "high": max(value + error for value, error in each),
-        }  # fmt: skip
-
-    return decline
-
-
-@dataclass(frozen=True)
-class _Fall:
-    """The fall of ln A in a half-swing as a sum of powers; ``covariance``: times the square of the quantile."""
-
-    powers: tuple[int, ...]
-    coefficients: Array
-    covariance: Array
-
-    def at(self, amplitude: float) -> tuple[float, float]:
-        by = np.array([amplitude**k for k in self.powers])
-        return float(by @ self.coefficients), float(np.sqrt(by @ self.covariance @ by))
-
-
 def _quality(amplitude: float, fall: Ends, stride: float) -> Ends:
     """Q = pi/2 over the fall in a half-swing; without a limit where that may be 0."""
-    ends = {name: pi / 2 * stride / fall[by] if fall[by] > 0 else inf for name, by in _INVERTED.items()}
+    ends = {name: pi / 2 * stride / fall[by] if fall[by] > 0 else _endless(fall[by]) for name, by in _INVERTED.items()}
     return {"amplitude": amplitude, **ends}
+
+
+def _endless(fall: float) -> float:
+    """What has no limit where the fall may be 0, and is unknown (nan) where that is."""
+    return fall if np.isnan(fall) else inf
 
 
 def _inverse(row: Ends, of: float) -> Ends:
@@ -299,11 +296,15 @@ def _rate(amplitude: float, fall: Ends, half_swing: float) -> Ends:
     return {"amplitude": amplitude, **{name: value / half_swing for name, value in fall.items()}}
 
 
-def _period(n: Indices, t: Array) -> Ends:
-    """Twice the slope of the turning times; its chirp widens the interval."""
-    line, deviation = np.polyfit(n, t, 1, cov=True)
-    reach = 2 * float(np.sqrt(deviation[0, 0])) * float(stdtrit(len(n) - 2, 0.975))
-    middle = 2 * float(line[0])
+def _period(n: Indices, t: Array, stated: float) -> Ends:
+    """Twice the slope of the turning times; its chirp widens the interval.  Of two it is that of their errors."""
+    if len(n) == 2:
+        middle = 2 * float(np.diff(t)[0] / np.diff(n)[0])
+        reach = NORMAL * 2**1.5 * stated / float(n[1] - n[0]) if stated else np.nan
+    else:
+        line, deviation = np.polyfit(n, t, 1, cov=True)
+        reach = 2 * float(np.sqrt(deviation[0, 0])) * float(stdtrit(len(n) - 2, 0.975))
+        middle = 2 * float(line[0])
     return {"low": middle - reach, "estimate": middle, "high": middle + reach}
 
 
@@ -315,14 +316,15 @@ def _half_life(decline: Decline, size: Array, lasts: Callable[[float], float]) -
     ends = {}
     for name, by in _INVERTED.items():
         fall = np.array([each[by] for each in found])
-        ends[name] = float(np.trapezoid(half / fall, grid)) if (fall > 0).all() else inf
+        ends[name] = float(np.trapezoid(half / fall, grid)) if (fall > 0).all() else _endless(float(fall.min()))
     return ends
 
 
 def _span(ends: Ends, digits: int = 3) -> str:
     low, high = ("-" if not np.isfinite(ends[k]) else f"{ends[k]:.{digits}g}" for k in ("low", "high"))
     middle = f"{ends['estimate']:.{digits}g}" if np.isfinite(ends["estimate"]) else "without limit"
-    return middle if low == middle == high else f"{middle} [{low}, {high}]"
+    unknown = np.isnan(ends["low"]) and np.isnan(ends["high"])  # not without a limit: there is no interval
+    return middle if unknown or low == middle == high else f"{middle} [{low}, {high}]"
 
 
 def _texts(ends: Ends | None) -> dict[str, str | None] | None:

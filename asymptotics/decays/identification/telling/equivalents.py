@@ -115,12 +115,14 @@ def half_life(falling: Ratio, amplitude: float) -> float:
 
 def ratios(law: Judged) -> tuple[Ratio, Ratio] | None:
     """zeta(A) of a fitted law, and how fast ln A falls, as ``half_life`` wants it; None without its strengths."""
-    losses, fit = _losses(law), law.fit
-    # Printed decrements have no first amplitude.
-    if losses is None or fit is None or not fit.model.alternating or law.evidence.outside:
+    losses, fits = _losses(law), law.fits
+    # Printed decrements have no first amplitude; runs whose strengths differ have no Q together.
+    if losses is None or not fits or not all(fit.model.alternating for fit in fits):
         return None
-    if fit.model.angle is not None:
-        return pendulum_ratios(losses, fit.model.angle)
+    if law.evidence.outside or law.intervals.apart:
+        return None
+    if fits[0].model.angle is not None:
+        return pendulum_ratios(losses, fits[0].model.angle)
     if law.candidate.springs:
         return spring_ratios(losses, [(p, c.estimate) for p, c in zip(law.candidate.springs, law.springs)])
     zeta = equivalent_ratio(losses)
@@ -128,11 +130,13 @@ def ratios(law: Judged) -> tuple[Ratio, Ratio] | None:
 
 
 def measured_ends(law: Judged) -> tuple[float, float]:
-    """The first and the last amplitude that was measured, as the law has them."""
-    assert law.fit is not None
-    model = law.fit.model
-    size = model.amplitudes(law.fit.theta)[0][model.seen.n[model.seen.inside]]
-    return float(size[0]), float(size[-1])
+    """The first and the last amplitude that was measured, as the law has them; of several runs the largest and the
+    smallest of these."""
+    ends = []
+    for fit in law.fits:
+        size = fit.model.amplitudes(fit.theta)[0][fit.model.seen.n[fit.model.seen.inside]]
+        ends.append((float(size[0]), float(size[-1])))
+    return max(first for first, _ in ends), min(last for _, last in ends)
 
 
 def equivalent(law: Judged, omega_0: float | None) -> dict[str, Any] | None:
@@ -141,7 +145,7 @@ def equivalent(law: Judged, omega_0: float | None) -> dict[str, Any] | None:
     ``omega_0``: where the law has no times of its own.
     """
     known = ratios(law)
-    if known is None or law.fit is None:
+    if known is None:
         return None
     zeta, rate = known
     ends = list(measured_ends(law))
@@ -155,9 +159,23 @@ def equivalent(law: Judged, omega_0: float | None) -> dict[str, Any] | None:
 
 
 def omega_of(law: Judged) -> float | None:
-    """omega_0 that the times give the law."""
-    fit = law.fit
-    return None if fit is None or not fit.model.seen.has_times else float(np.exp(fit.theta[-2]))
+    """omega_0 that the times give the law; the mean of several runs."""
+    found = [float(np.exp(fit.theta[-2])) for fit in law.fits if fit.model.seen.has_times]
+    return float(np.mean(found)) if found else None
+
+
+def equivalent_texts(law: Judged, omega_0: float | None) -> dict[str, Any] | None:
+    """What ``equivalent`` says, as JSON: numbers are strings."""
+    found = equivalent(law, omega_0)
+    if found is None:
+        return None
+    rows = {name: [number_text(x) for x in found[name]] for name in ("amplitudes", "Q", "zeta")}
+    return rows | {"half_life": number_text(found["half_life"]), "half_life_unit": found["half_life_unit"]}
+
+
+def number_text(value: float) -> str | None:
+    """A number as JSON has it: eight digits, null without a limit."""
+    return f"{value:.8g}" if np.isfinite(value) else None
 
 
 def shares(law: Judged, amplitude: float) -> list[float] | None:
@@ -172,9 +190,9 @@ def shares(law: Judged, amplitude: float) -> list[float] | None:
 
 def _alone(law: Judged, one: tuple[float, int, float]) -> Ratio:
     """zeta of one of the losses beside the spring of the law."""
-    assert law.fit is not None
-    if law.fit.model.angle is not None:
-        return pendulum_ratios([one], law.fit.model.angle)[0]
+    angle = law.fits[0].model.angle
+    if angle is not None:
+        return pendulum_ratios([one], angle)[0]
     if law.candidate.springs:
         return spring_ratios([one], [(p, c.estimate) for p, c in zip(law.candidate.springs, law.springs)])[0]
     return equivalent_ratio([one])

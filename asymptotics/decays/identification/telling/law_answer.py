@@ -9,7 +9,7 @@ import numpy as np
 from asymptotics.decays.identification.fitting.profile import Interval
 from asymptotics.decays.identification.forward.candidates import FREE
 from asymptotics.decays.identification.judging.laws import Judged
-from asymptotics.decays.identification.telling.equivalents import equivalent
+from asymptotics.decays.identification.telling.equivalents import equivalent, equivalent_texts, number_text
 from asymptotics.decays.identification.telling.in_words import in_words, law_in_words, shares_in_words
 from asymptotics.decays.identification.telling.record_units import RecordUnits
 from asymptotics.numbers.alike import Alike
@@ -55,6 +55,7 @@ class LawAnswer(Alike, Rows):
             "held_out_error": None if law.evidence.held_out is None else number_text(law.evidence.held_out),
             "formula": candidate.formula(),
             "words": law_in_words(law),
+            "equivalent": equivalent_texts(law, self.units.omega_0) if law.verdict == "consistent" else None,
         }
         if law.fit is not None:
             found["residual"] = {k: number_text(v) for k, v in law.fit.scales.items()}
@@ -104,12 +105,15 @@ class LawAnswer(Alike, Rows):
         return (*found, *([f"  {q}"] if q else []))
 
     def strengths(self) -> list[dict[str, Any]]:
-        """One row for each strength (and for a free exponent): estimate and both ends of its interval, as numbers."""
+        """One row for each strength, as epsilon and as b or b/m with its unit where known, and for a free exponent:
+        estimate and both ends of its interval, as numbers."""
         law, candidate = self.law, self.law.candidate
         named = [("alpha", law.alpha)] if law.alpha is not None else []
         named += [(f"epsilon {name}", e) for name, e in zip(candidate.alphas, law.epsilon)]
         named += [(f"spring {p}", e) for p, e in zip(candidate.springs, law.springs)]
-        head = {"law": str(candidate), "verdict": law.verdict}
+        known = [(name, self.beside(i)) for i, name in enumerate(candidate.alphas[: len(law.epsilon)])]
+        named += [(f"{found[0]} of {name} [{found[2]}]", found[1]) for name, found in known if found is not None]
+        head = {"law": str(candidate), "verdict": law.verdict + (", unphysical" if law.negative else "")}
         rest = {"dAICc": float(law.excess), "held_out_error": law.evidence.held_out}
         return [
             {**head, "parameter": name, "estimate": e.estimate, "low": e.low, "high": e.high, **rest}
@@ -150,11 +154,6 @@ class LawAnswer(Alike, Rows):
         verdict = law.graded + (f", {' and '.join(law.unneeded)} not needed" if law.unneeded else "")
         verdict += ", unphysical" if law.negative else ""
         return str(law.candidate), verdict, excess, held, strengths
-
-
-def number_text(value: float) -> str | None:
-    """A number as JSON has it: eight digits, null without a limit."""
-    return f"{value:.8g}" if np.isfinite(value) else None
 
 
 def _end(value: float | None) -> str:

@@ -11,9 +11,9 @@ from asymptotics.decays.identification.judging.laws import Judged
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.telling.agreement import agreed
 from asymptotics.decays.identification.telling.envelope import MeasuredEnvelope, envelope, why_none
-from asymptotics.decays.identification.telling.equivalents import equivalent
+from asymptotics.decays.identification.telling.equivalents import equivalent, equivalent_texts, number_text
 from asymptotics.decays.identification.telling.in_words import in_words
-from asymptotics.decays.identification.telling.law_answer import LETTERS, LawAnswer, number_text
+from asymptotics.decays.identification.telling.law_answer import LETTERS, LawAnswer
 from asymptotics.decays.identification.telling.plots import draw_decrements, draw_panels, shown_laws
 from asymptotics.decays.identification.telling.record_units import RecordUnits
 from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, MANY, Verdict
@@ -54,7 +54,7 @@ class Identification(Alike, Rows, Drawn):
 
     @property
     def in_words(self) -> str:
-        """Q at both ends of the record and the half-life, of the first law; empty for tables and several runs."""
+        """Q at both ends of the record (of all runs) and the half-life, of the first law; empty for tables."""
         return in_words(self._equivalent(), self.units.shown)
 
     @property
@@ -78,19 +78,16 @@ class Identification(Alike, Rows, Drawn):
         if len(self.per_run) > 1:
             return [f"{one.runs[0].name}: {line}" for one in self.per_run[:MANY] for line in one._bare_lines()]
         bare, run = self._bare(), self.runs[0]
-        untold = [why_none(run)] if isinstance(run, Observations) else []
+        untold = [f"no envelope: {self._why_bare()}"] if isinstance(run, Observations) else []
         return untold if bare is None else [bare.in_words()]
 
-    def _equivalent(self) -> dict[str, Any] | None:
-        return None if self.per_run or not self.laws else equivalent(self.best.law, self.units.omega_0)
+    def _why_bare(self) -> str:
+        """Why there is no envelope."""
+        run = self.runs[0]
+        return why_none(run) if isinstance(run, Observations) else "decrements are no decay: they tell Q themselves"
 
-    def _equivalent_texts(self) -> dict[str, Any] | None:
-        """The same as JSON: numbers are strings."""
-        found = self._equivalent()
-        if found is None:
-            return None
-        rows = {name: [number_text(x) for x in found[name]] for name in ("amplitudes", "Q", "zeta")}
-        return rows | {"half_life": number_text(found["half_life"]), "half_life_unit": found["half_life_unit"]}
+    def _equivalent(self) -> dict[str, Any] | None:
+        return equivalent(self.best.law, self.units.omega_0) if self.laws else None
 
     def _bare(self) -> MeasuredEnvelope | None:
         """Period, Q(A) and half-life before any law; of several runs, those of the first."""
@@ -117,8 +114,9 @@ class Identification(Alike, Rows, Drawn):
             "verdict": self.verdict.text,
             "verdict_kind": self.verdict.kind,
             "telling": self.verdict.telling or None,
-            "equivalent": self._equivalent_texts(),
+            "equivalent": equivalent_texts(self.best.law, self.units.omega_0) if self.laws else None,
             "envelope": None if bare is None else bare.to_dict(self.verdict.kind == IDENTIFIED),
+            "envelope_untold": self._why_bare() if bare is None else None,
             "agreed": None if together is None else together.to_dict(),
             "not_excluded": [term.to_dict() for term in self.verdict.allowed],
             "laws": [law.to_dict() for law in self.laws],

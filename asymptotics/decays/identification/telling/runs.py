@@ -22,7 +22,7 @@ from scipy.special import chdtrc, ndtri, stdtrit
 from asymptotics.decays.identification.fitting.profile import Interval
 from asymptotics.decays.identification.judging.allowance import WEAK, allowance_text, allowances
 from asymptotics.decays.identification.judging.contradiction import REFUTED, Contradiction
-from asymptotics.decays.identification.judging.judgement import against, commented, is_negative, minimal
+from asymptotics.decays.identification.judging.judgement import against, commented, is_negative, rivals
 from asymptotics.decays.identification.judging.laws import LIMIT, Fitted, Intervals, Judged
 from asymptotics.decays.identification.telling.verdicts import (
     IDENTIFIED,
@@ -32,6 +32,7 @@ from asymptotics.decays.identification.telling.verdicts import (
     UNDECIDED,
     UNTOLD,
     Verdict,
+    imitation,
 )
 
 _ALIKE = 0.05
@@ -82,7 +83,8 @@ def _common(laws: Sequence[Judged]) -> Judged:
     springs = [_mean([law.springs[i] for law in laws]) for i in range(len(first.springs))]
     exponents = [law.alpha for law in laws if law.alpha is not None]
     alpha = _mean(exponents)[0] if exponents else None
-    found = Judged(Fitted(first.candidate, None), Intervals(_ends(epsilon), _ends(springs), alpha), total=total)
+    intervals = Intervals(_ends(epsilon), _ends(springs), alpha)
+    found = Judged(Fitted(first.candidate, None), intervals, total=total, runs=tuple(laws))
     scatter = zip(found.strengths, (*epsilon, *springs), strict=True)
     apart = tuple(name for (name, _), (_, between) in scatter if between > 0)
     return replace(found, intervals=replace(found.intervals, apart=apart))
@@ -134,7 +136,7 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[Judged], first: floa
 
     ``first``: the first amplitude, at which the shares of further terms are told.
     """
-    chosen = minimal(laws)
+    chosen = rivals(laws)[0]
     names = "; ".join(str(law.candidate) for law in chosen[:6])
     best = f"; best: {names}" if names else ""
     cut = sum(v.kind == UNDECIDED for v in runs)
@@ -145,6 +147,9 @@ def verdict_of_runs(runs: Sequence[Verdict], laws: Sequence[Judged], first: floa
     if inadequate:
         text = f"{NONE} at the noise level in {inadequate} of {len(runs)} runs (model inadequate){best}"
         return Verdict(NONE, text, next(v.telling for v in runs if v.kind == NONE))
+    imitated = imitation(chosen)
+    if imitated is not None:
+        return imitated
     if len(chosen) == 1:
         return _one_law(chosen[0], laws, len(runs), first)
     if not chosen and not any(law.verdict == "refuted" for law in laws):

@@ -6,11 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from asymptotics.decays.identification.fitting.model import Noise
+from asymptotics.decays.identification.fitting.waveform import WaveformModel
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.judging.allowance import WEAK, Allowance, allowance_text, allowances
 from asymptotics.decays.identification.judging.contradiction import REFUTED
 from asymptotics.decays.identification.judging.grades import in_words, off
-from asymptotics.decays.identification.judging.judgement import minimal, rivals
+from asymptotics.decays.identification.judging.judgement import rivals
 from asymptotics.decays.identification.judging.laws import LIMIT, Judged
 from asymptotics.decays.identification.judging.single_fits import fit_law
 from asymptotics.decays.identification.measuring.observations import Observations
@@ -55,7 +56,7 @@ def undecided(laws: Sequence[Judged]) -> Verdict | None:
     left = sum(law.untried for law in laws)
     if not left:
         return None
-    names = "; ".join(named(law) for law in minimal(laws)[:6]) or "none"
+    names = "; ".join(named(law) for law in rivals(laws)[0][:6]) or "none"
     text = f"{UNDECIDED}: {LIMIT} was reached before {left} of {len(laws)} laws were judged; consistent so far: {names}"
     return Verdict(UNDECIDED, text, "more time (max_seconds), or fewer candidates (laws)")
 
@@ -70,14 +71,9 @@ def _verdict_of(laws: Sequence[Judged], seen: Observations | None, growing: bool
     if not chosen:
         return _nothing_stands(fitted, best)
     names = "; ".join(named(law) for law in chosen[:6])
-    # Consistent, but only with a loss that feeds the motion: no physical law among the candidates stands.
-    if not growing and all(_is_imitation(law) for law in chosen):
-        text = f"{NONE} with strengths >= 0: {names} needs a negative one ({', '.join(chosen[0].negative)})"
-        return Verdict(
-            NONE,
-            text,
-            "candidates of another kind: a loss that depends on position such as 1,2: (|x|^2 x'), a free exponent",
-        )
+    imitated = None if growing else imitation(chosen)
+    if imitated is not None:
+        return imitated
     # No loss at all is consistent too: then the smallest of the laws is no finding.
     if all(e.contains(0.0) for law in chosen for e in law.epsilon):
         return Verdict(UNTOLD, f"{UNTOLD} to tell: the data do not show any loss", "more swings, or less noise")
@@ -127,9 +123,15 @@ def _is_one_more(other: Judged, law: Judged) -> bool:
     return alike and len(a.alphas) == len(b.alphas) + 1 and {*b.alphas} < {*a.alphas}
 
 
-def _is_imitation(law: Judged) -> bool:
-    """Whether the interval of some loss lies below 0: a law that is no candidate may be imitated by such a sum."""
-    return any(e.high is not None and e.high < 0 for e in law.epsilon)
+def imitation(chosen: Sequence[Judged]) -> Verdict | None:
+    """The verdict where each law that stands has a loss whose interval lies below 0, which feeds the motion: a law that
+    is no candidate may be imitated by such a sum."""
+    if not chosen or not all(any(e.high is not None and e.high < 0 for e in law.epsilon) for law in chosen):
+        return None
+    names = "; ".join(named(law) for law in chosen[:6])
+    text = f"{NONE} with strengths >= 0: {names} needs a negative one ({', '.join(chosen[0].negative)})"
+    telling = "candidates of another kind: a loss that depends on position such as 1,2: (|x|^2 x'), a free exponent"
+    return Verdict(NONE, text, telling)
 
 
 def _nothing_stands(fitted: Sequence[Judged], best: Judged) -> Verdict:
@@ -149,7 +151,16 @@ def _nothing_fits(fitted: Sequence[Judged], best: Judged) -> Verdict:
         return Verdict(NONE, text, "a loss that depends on position such as 1,2: (|x|^2 x'), or a free exponent")
     why = "model inadequate, or noise that is not independent from swing to swing"
     text = f"{NONE} at the noise level ({why}); the best is {best.candidate}: {best.evidence.residuals}{near}"
-    return Verdict(NONE, text, "the residuals against n show what is missing: a term, a second mode, the base")
+    return Verdict(NONE, text, _what_is_missing(best))
+
+
+def _what_is_missing(best: Judged) -> str:
+    """Where to look, and of samples what fits a further line."""
+    model = None if best.fit is None else best.fit.model
+    if not isinstance(model, WaveformModel):
+        return "the residuals against n show what is missing: a term, a second mode, the base"
+    more = "" if model.samples.mode else "; a second mode, hum or a rocking base is fitted beside the motion by modes 2"
+    return f"the residuals against t show what is missing: a term, a further line, the base{more}"
 
 
 def _nearest(fitted: Sequence[Judged], best: Judged) -> str:
@@ -180,8 +191,10 @@ def _beside(law: Judged, fitted: Sequence[Judged], beaten: Sequence[Judged]) -> 
     spoilt = " (unphysical)" if best.negative else ""
     # A difference of 4 is the least that is customarily called considerable (Burnham and Anderson 2002).
     said = f" (with more terms, {best.candidate}{spoilt}, AICc falls by {gain:.2g})" if gain > 4 else ""
-    if beaten:
-        said += f" (with more terms {', '.join(str(other.candidate) for other in beaten)} cannot be excluded)"
+    # One with a negative loss is named in its row.
+    more = [str(other.candidate) for other in beaten if not other.negative]
+    if more:
+        said += f" (with more terms {', '.join(more)} cannot be excluded)"
     return said
 
 

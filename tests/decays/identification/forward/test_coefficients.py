@@ -11,6 +11,7 @@ from asymptotics.expansions.half_swings.certified import quarter_swing
 from asymptotics.expansions.half_swings.quarter import half_swing
 from asymptotics.numbers.exact import parse_real
 from asymptotics.terms import Term
+from tests.each import each
 
 
 @pytest.mark.parametrize("law", [("3/2",), ("0", "1"), ("1/10", "2"), ("0", "1/2", "3")])
@@ -45,8 +46,8 @@ def moment(p):
     return gamma((p + 1) / 2) / (np.sqrt(np.pi) * gamma(p / 2 + 1))
 
 
-@pytest.mark.parametrize("alpha", [0.0, 1.0, 1.5, 2.0, 3.0])
-@pytest.mark.parametrize("p", [2, 3, 5])
+@each("alpha", [0.0, 1.0, 1.5, 2.0, 3.0])
+@each("p", [2, 3, 5])
 def test_the_first_coupling_of_a_loss_and_a_spring_has_its_closed_form(alpha, p):
     # The mixed coefficient of L is that of pi U (W has none), and, with M = M_(alpha+1),
     # U_mixed = M (p - alpha)/(p + 1) + p/(p + 1) <|c|^(p-1) |s|^(alpha+1)>; for the time T = pi W, W = -M_(p+1) gamma.

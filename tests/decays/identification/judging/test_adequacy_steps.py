@@ -9,6 +9,7 @@ from scipy.stats import f
 from asymptotics.decays.identification.fitting.model import Noise
 from asymptotics.decays.identification.judging import adequacy
 from asymptotics.decays.identification.judging.adequacy import adequate, noise_levels, smooth_noise, strongest_line
+from asymptotics.present.percent import percent
 
 N = np.arange(40)
 RANDOM = np.random.default_rng(12).standard_normal(40)
@@ -148,9 +149,9 @@ def test_residuals_that_are_one_line_are_no_noise(changed, adequate_):
     left = changed.pop("left", 1.0) if changed else 1.0
     good, said = adequate(residuals(LINE + 0.05 * WHITE, **changed), {"x": (1.0, 30.0)}, left)
     assert good == adequate_
-    assert ("% of the residual of x is one line at 0.05 cycles a half-swing" in said) == (not adequate_)
+    assert (" % of the residual of x is one line at 0.05 cycles a half-swing" in said) == (not adequate_)
     if not adequate_:
-        assert said.split("; ")[1].startswith(f"{strongest_line(LINE + 0.05 * WHITE)[0]:.0%} of")
+        assert said.split("; ")[1].startswith(f"{percent(strongest_line(LINE + 0.05 * WHITE)[0])} of")
 
 
 def test_a_line_of_half_the_power_is_no_line():

@@ -64,7 +64,7 @@ def test_what_is_allowed_is_told_in_words_and_in_json():
     terms = (Allowance("2", 0.0123, 0.034), Allowance("3", 0.5, 1.234), Allowance("s3", None))
     assert allowance_text(terms) == (
         "; not excluded beside it (95 %; in brackets the share of the loss at the first amplitude): "
-        "2 up to 0.012 (3.4 %), 3 up to 0.5 (123 %), s3 without limit"
+        "2 up to 0.012 (3.4 %), 3 up to 0.5 (all of it), s3 without limit"
     )
     assert allowance_text(terms[2:], "proved") == "; not excluded beside it (proved): s3 without limit"
     assert allowance_text(()) == ""

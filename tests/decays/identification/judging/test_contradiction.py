@@ -8,6 +8,7 @@ from scipy.stats import chi2, f
 
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
 from asymptotics.decays.identification.judging.contradiction import contradiction, further_parameters
+from tests.each import each
 
 
 def fit(likelihood, *, known=False, squares=50.0, sizes=(40,), freedoms=(37.0,)):
@@ -62,7 +63,7 @@ def test_what_the_data_cannot_show_is_taken_off_the_ratio(known, relief):
     assert contradiction(read("1"), fit(10.0), read("2"), fit(14.0), left=0.0).ratio == 0.0
 
 
-@pytest.mark.parametrize(
+@each(
     ("larger", "law", "count"),
     [
         ("free", "free", 0), ("free+s3", "free", 1), ("free", "1+2", 2), ("free", "1,2:", 2), ("1", "free", 0),

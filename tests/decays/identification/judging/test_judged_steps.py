@@ -15,7 +15,7 @@ from asymptotics.decays.identification.judging.laws import UNTRIED, Fitted
 from asymptotics.decays.identification.judging.single_fits import fit_law
 from asymptotics.decays.identification.measuring.observations import Observations, Samples
 from tests.decays.identification import small_laws
-from tests.decays.identification.small_laws import BELOW, fit
+from tests.decays.identification.small_laws import BELOW, SURE, fit
 
 
 def test_a_contradiction_is_asked_with_the_stretch_of_the_other_and_the_share_of_the_law(monkeypatch):
@@ -256,6 +256,28 @@ def test_beside_a_physical_law_one_with_a_negative_loss_is_no_rival(monkeypatch)
     assert judgement.rivals([negative, one]) == ([one], [negative])
     assert judgement.rivals([negative]) == ([negative], [])
     assert judgement.minimal([negative, one]) == [one, negative]
+
+
+def test_a_physical_law_is_not_set_aside_by_one_inside_it_with_a_negative_loss(monkeypatch):
+    monkeypatch.setattr(judgement, "against", lambda *_: SimpleNamespace(p=1.0))
+    below = Interval(-0.3, -0.1, 0.1)
+    inside = small_laws.law("1+2", fit(1.0), epsilon=(SURE, below))
+    whole = small_laws.law("1+2+3", fit(2.0))
+    assert judgement.minimal([inside, whole]) == [whole, inside]
+    assert judgement.rivals([inside, whole]) == ([whole], [inside])
+    assert [law.unneeded for law in judgement.commented([inside, whole])] == [(), ()]
+    # Beside a physical one inside, and where the larger law is unphysical too, the smaller one does.
+    one = small_laws.law("1", fit(3.0))
+    assert judgement.rivals([inside, whole, one])[0] == [one]
+    spoilt = small_laws.law("1+2+3", fit(2.0), epsilon=(SURE, SURE, below))
+    assert judgement.minimal([inside, spoilt]) == [inside]
+
+
+def test_a_law_with_a_negative_loss_beats_no_physical_one(monkeypatch):
+    monkeypatch.setattr(judgement, "against", lambda law, other: SimpleNamespace(p=0.0))
+    negative = small_laws.law("2", fit(1.0), epsilon=(Interval(-0.3, -0.1, 0.1),))
+    physical = small_laws.law("0+1", fit(2.0))
+    assert judgement.rivals([negative, physical]) == ([physical], [negative])
 
 
 @pytest.mark.parametrize(("p", "beaten"), [(0.00999, True), (0.01, False)])

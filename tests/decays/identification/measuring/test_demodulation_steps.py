@@ -43,14 +43,14 @@ def test_amplitude_and_phase_are_those_of_the_carrier():
 @pytest.mark.parametrize("derivative", [1, 2])
 def test_a_line_is_integrated_to_the_motion_of_which_it_is_the_derivative(derivative):
     """The integrated coefficients, differentiated as often by numbers, are the line again."""
-    integrated = [line()._integrated(c, k, derivative) for c, k in ((P, 1), (Q, 3))]
+    integrated = [line().integrated(c, k, derivative) for c, k in ((P, 1), (Q, 3))]
     t, h = np.linspace(5.0, 38.0, 23), 1e-2
     each = lambda at: line()._sum(*integrated, at, 0)  # noqa: E731
     back = (
         (each(t + h) - each(t - h)) / (2 * h) if derivative == 1 else (each(t + h) - 2 * each(t) + each(t - h)) / h**2
     )
     assert back == pytest.approx(motion(t), abs=2e-3)
-    assert line()._integrated(P, 1, 0) is P
+    assert line().integrated(P, 1, 0) is P
 
 
 DECAY = np.array([1.0, -0.4, 0.1, -0.02], dtype=complex) * np.exp(0.8j)
@@ -102,7 +102,7 @@ def test_a_line_is_found_with_its_modulation_its_overtone_and_its_noise():
     t = np.linspace(0.0, 60.0, 601)
     u = 2 * t / 60 - 1
     x = 0.3 + 0.05 * u + (1 - 0.5 * u) * np.cos(2 * t + 0.4) + 0.03 * np.cos(6 * t + 0.1)
-    found = demodulation._line(t, x + 1e-3 * random.standard_normal(len(t)), 2.0)
+    found = demodulation.fitted_line(t, x + 1e-3 * random.standard_normal(len(t)), 2.0)
     assert found.omega == 2.0 and np.array_equal(found.t, t)
     wanted = np.exp(0.4j) * np.array([1.0, -0.5])
     assert (
@@ -116,7 +116,7 @@ def test_a_line_is_found_with_its_modulation_its_overtone_and_its_noise():
 @pytest.mark.parametrize(("a_period", "overtone"), [(8.5, True), (7.5, False)])
 def test_the_third_overtone_is_fitted_from_eight_samples_a_period_on(a_period, overtone):
     t = np.arange(0, 60, 2 * np.pi / a_period)
-    found = demodulation._line(t, np.cos(t) + 0.1 * np.cos(3 * t), 1.0)
+    found = demodulation.fitted_line(t, np.cos(t) + 0.1 * np.cos(3 * t), 1.0)
     assert (len(found.third) > 1 or bool(np.abs(found.third[0]) > 0.05)) == overtone
 
 
@@ -185,7 +185,7 @@ def test_the_memory_of_few_samples_is_unbiased_and_beyond_doubt():
 
 def test_what_is_left_of_a_line_without_noise_is_nothing():
     t = np.linspace(0, 40, 400)
-    found = demodulation._line(t, np.cos(1.3 * t), 1.3)
+    found = demodulation.fitted_line(t, np.cos(1.3 * t), 1.3)
     assert found.noise < 1e-9 and found.modulation[0] == pytest.approx(1.0)
 
 

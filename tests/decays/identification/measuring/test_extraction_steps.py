@@ -48,6 +48,15 @@ def test_a_duration_is_judged_by_the_next_eight(count, disturbed, left_out):
     assert _start_of_freedom(times(disturbed, count=count)) == left_out
 
 
+@pytest.mark.parametrize("lost", [1, 2, 3, (1, 4)])
+def test_a_turning_point_that_was_not_found_is_no_hand(lost):
+    """Two half periods in one are no disturbed duration; a hand beside them is one still."""
+    half = 0.5 + 1e-3 * np.arange(14)
+    assert _start_of_freedom(np.delete(np.cumsum(half), lost)) == 0
+    half[0] += 0.1
+    assert _start_of_freedom(np.delete(np.concatenate([[0.0], np.cumsum(half)]), 4)) == 1
+
+
 @pytest.mark.parametrize(("excess", "left_out"), [(4.0, 0), (6.0, 1)])
 def test_a_hand_is_five_times_the_scatter_off(excess, left_out):
     """Of eight about their line: two degrees of freedom less."""

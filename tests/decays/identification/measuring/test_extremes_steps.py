@@ -115,7 +115,7 @@ def test_a_base_line_is_removed_and_told_and_a_drift_where_it_is_worth_it():
     assert any(note.startswith("base line 0.3 removed") for note in seen.notes)
     assert seen.x[0] == pytest.approx(-np.exp(-0.02 * np.pi), abs=1e-3)
     seen = observed(*decay(base=0.3, drift=0.002, noise=1e-4))
-    assert any("base line 0.3 and drift 0.002 a unit of time removed" in note for note in seen.notes)
+    assert any("base line 0.3 and drift 0.002 a second removed" in note for note in seen.notes)
     assert seen.x[0] == pytest.approx(-np.exp(-0.02 * np.pi), abs=2e-3)
 
 

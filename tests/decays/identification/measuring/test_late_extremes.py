@@ -87,15 +87,15 @@ def test_the_derivative_by_the_exponent_is_that_of_the_lateness():
         assert window.by_exponent(q) == pytest.approx(wide, rel=0.05, abs=1e-4)
 
 
-def test_the_predicted_times_have_exact_derivatives_with_the_lateness():
+@pytest.mark.parametrize("text", [pytest.param("free+s3", marks=pytest.mark.slow), "0+2"])
+def test_the_predicted_times_have_exact_derivatives_with_the_lateness(text):
     """The columns of ``predict`` against differences, for a free exponent and a spring."""
     t, x = decay(120, 1e-4)
-    for text in ("free+s3", "0+2"):
-        law = asy.identify((t, x), laws=[text], bootstrap=False).law(text).law
-        model, theta = law.fit.model, law.fit.theta + 0.01 * np.abs(law.fit.theta)
-        _, slopes = model.predict(theta)
-        for k in range(len(theta)):
-            by = np.zeros(len(theta))
-            by[k] = 1e-5 * max(abs(theta[k]), 1e-2)
-            difference = (model.predict(theta + by)[0] - model.predict(theta - by)[0]) / (2 * by[k])
-            assert np.allclose(difference, slopes[:, k], atol=2e-4 * np.abs(slopes[:, k]).max() + 1e-9), (text, k)
+    law = asy.identify((t, x), laws=[text], bootstrap=False).law(text).law
+    model, theta = law.fit.model, law.fit.theta + 0.01 * np.abs(law.fit.theta)
+    _, slopes = model.predict(theta)
+    for k in range(len(theta)):
+        by = np.zeros(len(theta))
+        by[k] = 1e-5 * max(abs(theta[k]), 1e-2)
+        difference = (model.predict(theta + by)[0] - model.predict(theta - by)[0]) / (2 * by[k])
+        assert np.allclose(difference, slopes[:, k], atol=2e-4 * np.abs(slopes[:, k]).max() + 1e-9), k

@@ -64,7 +64,7 @@ def test_holds_drives_chirps_and_growth_are_no_beats():
 def test_a_strong_beat_is_refused_as_one_and_fitted_on_demand(share, gap):
     # failed before: cut into up to six releases, of which "identified in 4 runs" could be said
     t, x = beat(share, gap)
-    with pytest.raises(InputError, match=r"beats: two modes near each other, at 1 and 1\.\d+ rad .*modes 2"):
+    with pytest.raises(InputError, match=r"beats: two modes near each other, at 1 and 1\.\d+ rad/s, .*modes 2"):
         asy.identify({"t": t, "x": x}, laws=["1", "2"])
     answer = asy.identify({"t": t, "x": x}, laws=["1", "2"], modes=2)
     assert answer.verdict.text.startswith("identified: 1,")
@@ -86,3 +86,25 @@ def test_a_weak_beat_is_told_and_goes_on():
     answer = asy.identify({"t": t, "x": x}, laws=["1", "2"])
     assert any("two modes near each other" in note and "--modes 2" in note for note in answer.notes)
     assert answer.verdict.kind != "identified" or answer.verdict.text.startswith("identified: 1")
+
+
+def test_two_modes_far_apart_are_no_beat_and_the_weaker_one_is_taken_off():
+    """The record was refused: "beats: two modes near each other, at 3.7 and 10.3 rad a unit of time"."""
+    t = np.arange(0, 60, 0.05)
+    x = 3 * np.exp(-0.05 * t) * np.cos(3.696 * t) + 0.6 * np.exp(-0.02 * t) * np.cos(10.3 * t + 0.4)
+    x += 0.01 * np.random.default_rng(1).standard_normal(len(t))
+    assert near_modes(t, x).in_words.startswith("has two modes, at 3.696 and 10.3 rad/s, the second 30 % of")
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2"])
+    assert answer.verdict.text.startswith("identified: 1") and any("taken off" in note for note in answer.notes)
+    assert answer.law("1").law.epsilon[0].stretched(1.5).contains(0.1 / 3.696)
+
+
+def test_a_line_in_the_samples_is_told_in_hertz_with_what_fits_it():
+    """Hum at 5 Hz of 20 samples a second was told as "0.25 cycles a half-swing", of which it has 4.25."""
+    t = np.arange(0, 60, 0.05)
+    x = 3 * np.exp(-0.05 * t) * np.cos(3.696 * t) + 0.1 * np.cos(10 * np.pi * t)
+    x += 0.01 * np.random.default_rng(1).standard_normal(len(t))
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2"])
+    assert "of the residual of x is one line at 5 Hz" in answer.verdict.text
+    assert "fitted beside the motion by modes 2" in answer.verdict.telling
+    assert "modes 2" not in asy.identify({"t": t, "x": x}, laws=["2"], modes=2).verdict.telling

@@ -4,9 +4,16 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.stats import f as f_distribution
 
 from asymptotics.decays.identification.measuring import sampled
-from asymptotics.decays.identification.measuring.sampled import _free, _require_line, _thinned, _thinning
+from asymptotics.decays.identification.measuring.sampled import (
+    _free,
+    _is_no_line,
+    _require_samples,
+    _thinned,
+    _thinning,
+)
 from asymptotics.errors import InputError
 
 
@@ -49,7 +56,8 @@ def test_so_many_samples_are_one_mean_as_leave_enough(count, per_period, step):
 
 
 def line(size, noise=0.0, omega=1.0):
-    return SimpleNamespace(at=lambda _: (np.asarray(size, dtype=float),), noise=noise, omega=omega)
+    at = lambda _: (np.asarray(size, dtype=float),)  # noqa: E731
+    return SimpleNamespace(at=at, noise=noise, omega=omega, freedom=180.0, memory=0.0)
 
 
 T = np.arange(10.0)
@@ -71,17 +79,33 @@ def test_a_free_decay_ends_where_noise_hides_it():
     assert _free(line(size, 0.09 / sampled._HIDDEN), T).all()
 
 
-def test_a_line_needs_samples_periods_and_a_size():
+def test_a_line_needs_samples():
     t = np.linspace(0, 40, 200)
-    _require_line(line(np.ones(200), 0.01), t, "r")
+    _require_samples(line(np.ones(200), 0.01), t, "r")
     few = np.linspace(0, 40, sampled.LEAST_SAMPLES - 1)
     for given, reason in (
         ((line(np.ones(9), 0.01), few), f"{len(few)} samples"),
         ((line(np.ones(200), 0.01, omega=40.0), t), "a period"),
-        ((line(np.ones(200), 0.01, omega=2 * np.pi * 1.49 / 40), t), "1.5 periods"),
-        ((line(np.ones(200), sampled._LOUD * 1.01), t), "no oscillation above its noise"),
     ):
         with pytest.raises(InputError, match=reason):
-            _require_line(*given, "r")
-    _require_line(line(np.ones(200), 0.01, omega=2 * np.pi * 1.51 / 40), t, "r")
-    _require_line(line(np.ones(200), sampled._LOUD * 0.99), t, "r")
+            _require_samples(*given, "r")
+
+
+def test_a_line_has_periods_and_a_size_and_is_no_noise():
+    t = np.linspace(0, 40, 200)
+    x = np.cos(t)
+    for omega, loud, none in ((1.49, 0.01, True), (1.51, 0.01, False), (9.0, 1.01, True), (9.0, 0.99, False)):
+        noise = 0.01 if loud < 0.1 else loud * sampled._LOUD
+        given = line(np.ones(200), noise, omega=2 * np.pi * omega / 40)
+        assert _is_no_line(given, t, x) == none
+    # Eighteen coefficients on white noise: their F has one chance in a thousand for each frequency.
+    noise = np.random.default_rng(1).standard_normal(200)
+    left = float(((noise - np.polynomial.Polynomial.fit(t, noise, 1)(t)) ** 2).sum())
+    for ratio, none in ((0.98, False), (1.02, True)):
+        limit = ratio_of(18, 180, 1e-3 / 200) / ratio
+        given = line(np.full(200, 9.0), np.sqrt(left / (180 + 18 * limit)))
+        assert _is_no_line(given, t, noise) == none
+
+
+def ratio_of(count, freedom, p):
+    return float(f_distribution.isf(p, count, freedom))

@@ -21,7 +21,7 @@ def ringing(frequency, size, losses=((1.0, 0.012), (2.0, 0.012))):
 
 def told(note):
     """(frequency, percent) of a note."""
-    return [float(number) for number in re.findall(r"at (\S+) rad a unit of time, (\S+) %", note)[0]]
+    return [float(number) for number in re.findall(r"at (\S+) rad/s, (\S+) %", note)[0]]
 
 
 @pytest.mark.parametrize(("frequency", "size"), [(0.45, 0.05), (1.7, 0.1), (2.1, 0.06), (4.3, 0.02), (6.2, 0.1)])

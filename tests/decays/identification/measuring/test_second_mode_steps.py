@@ -132,7 +132,7 @@ def fitted(other, noise=1e-3, guess=None):
 def test_a_line_is_fitted_beside_the_motion_and_told_by_its_size_at_the_beginning():
     line, (taken, said, at) = fitted((0.05, 2.7, 0.005), guess=2.7 + 0.4 * BIN)
     assert np.abs(taken - line).max() < 1.5e-3
-    assert said.startswith("a second mode at 2.7") and "rad a unit of time, 5 % of the first at the beginning" in said
+    assert said.startswith("a second mode at 2.7") and "rad/s, 5 % of the first at the beginning" in said
     assert said.endswith(", measured and taken off")
     assert abs(float(said.split()[4]) - 2.7) < 0.03 * BIN and abs(at - 2.7) < 0.03 * BIN
 

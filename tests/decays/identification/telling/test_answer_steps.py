@@ -10,8 +10,8 @@ from asymptotics.decays.identification.fitting.profile import Interval
 from asymptotics.decays.identification.judging.allowance import Allowance
 from asymptotics.decays.identification.judging.laws import UNTRIED
 from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.decays.identification.telling import equivalents, result
 from asymptotics.decays.identification.telling import html_report as report
-from asymptotics.decays.identification.telling import result
 from asymptotics.decays.identification.telling.result import Identification, LawAnswer, RecordUnits
 from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, Verdict
 from asymptotics.errors import InputError
@@ -44,7 +44,8 @@ def words(monkeypatch):
         "half_life_unit": "s",
     }
     asked = []
-    monkeypatch.setattr(result, "equivalent", lambda law, omega: (asked.append((law, omega)), known)[1])
+    for module in (result, equivalents):
+        monkeypatch.setattr(module, "equivalent", lambda law, omega: (asked.append((law, omega)), known)[1])
     monkeypatch.setattr(result, "agreed", lambda laws, units: None)  # what all laws say of Q: told elsewhere
     monkeypatch.setattr(LawAnswer, "lines", property(lambda answer: (f"words of {answer.law.candidate}",)))
     return SimpleNamespace(known=known, asked=asked)
@@ -54,7 +55,7 @@ def test_every_entry_of_the_json_of_an_answer(words):
     untried = law_answer("2", missed=UNTRIED, verdict="undetermined")
     found = answer(law_answer(), untried).to_dict()
     assert found.pop("laws") == [law_answer().to_dict(), untried.to_dict()]
-    assert found.pop("envelope") is None is found.pop("agreed")  # three turning points are too few
+    assert found.pop("envelope")["quality"] and found.pop("agreed") is None is found.pop("envelope_untold")
     assert found == {
         "verdict": "identified: 1", "verdict_kind": IDENTIFIED, "telling": "more swings",
         "equivalent": {"amplitudes": ["0.5", "0.32"], "Q": ["10", "20"], "zeta": ["0.05", "0.025"], "half_life": None,
@@ -63,7 +64,8 @@ def test_every_entry_of_the_json_of_an_answer(words):
         "data": [{"name": "a <run>", "turning_points": 3, "times": True, "first": "0.5"}], "textbook": {}, "unit": "mm",
         "omega_0": "2", "notes": ["a note"],
     }  # fmt: skip
-    assert words.asked == [(answer().best.law, 2.0)] * len(words.asked)
+    best = answer().best.law
+    assert {omega for one, omega in words.asked if one == best} == {2.0, None}  # of the record, and of the law alone
 
 
 def test_what_an_answer_does_not_know_is_null(words):
@@ -71,9 +73,9 @@ def test_what_an_answer_does_not_know_is_null(words):
     one = answer(verdict=verdict, units=RecordUnits())
     several = answer(verdict=verdict, units=RecordUnits(), per_run=(one, one))
     found = several.to_dict()
-    assert (found["telling"], found["unit"], found["omega_0"], found["equivalent"]) == (None, None, None, None)
+    assert (found["telling"], found["unit"], found["omega_0"]) == (None, None, None)
     assert found["runs"] == [one.to_dict()] * 2 and "runs" not in one.to_dict()
-    assert several.in_words == "" and one.in_words.startswith("Q = 10 at 0.5, 20 at 0.32")
+    assert several.in_words == one.in_words and one.in_words.startswith("Q = 10 at 0.5, 20 at 0.32")
     assert answer().in_words.startswith("Q = 10 at 0.5 mm, 20 at 0.32 mm")
 
 
@@ -83,7 +85,8 @@ def test_the_envelope_is_that_of_the_first_run_and_says_whether_a_law_is_known(w
     for kind, known in ((IDENTIFIED, True), ("undecided", False)):
         found = answer(runs=(long, SEEN), verdict=Verdict(kind, "x")).to_dict()["envelope"]
         assert found["law_known"] == known and found["period"]["estimate"] == "1"
-    assert answer(runs=(Decrements(np.ones(3), np.ones(3) / 10),)).to_dict()["envelope"] is None
+    none = answer(runs=(Decrements(np.ones(3), np.ones(3) / 10),)).to_dict()
+    assert none["envelope"] is None and none["envelope_untold"].startswith("decrements are no decay")
 
 
 def test_the_table_has_its_columns_under_each_other(words):
@@ -104,8 +107,7 @@ def test_the_page_and_the_formula_of_an_answer(words):
     found = answer(law_answer("1+2", epsilon=(SURE, SURE)), law_answer())
     page = found._page()
     assert page.title == "identified: 1" and page.lines == (*found.lines, "more swings", "a note")
-    untold = "no envelope: fewer than 4 turning points other than 0, and it has no samples"
-    assert found.lines == ("words of 1", untold)  # the law of the verdict: 1+2 contains it
+    assert found.lines == ("words of 1", found._bare().in_words())  # the law of the verdict: 1+2 contains it
     assert page.head == ("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]")
     assert page.rows == tuple(one.row() for one in found.laws)
     assert found._heading() == "identified: 1" and repr(found) == "Identification(identified: 1)"

@@ -36,7 +36,7 @@ def test_every_entry_of_the_json_of_a_law():
         "spring_strengths": [Interval(0.1, 0.2, None).to_dict()], "alpha": None, "criterion": "-12.5",
         "criterion_difference": "0.25", "unneeded": ["s3"], "p_value": "0.125", "bic": "-7.5",
         "intervals": "profile likelihood", "unphysical": [], "held_out_error": "1.0625",
-        "formula": read("1+s3").formula(), "words": "viscous drag, hardening spring",
+        "formula": read("1+s3").formula(), "words": "viscous drag, hardening spring", "equivalent": None,
         "residual": {"x": "0.001", "t": "0.002"},
     }  # fmt: skip
 

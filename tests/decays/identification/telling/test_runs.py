@@ -43,3 +43,18 @@ def test_two_runs_are_not_identified_while_a_further_term_may_carry_over_a_fifth
     answer = asy.identify(runs, laws=["1", "1+2"])
     assert answer.verdict.kind == "several laws are consistent"
     assert "a further term may carry over a fifth of the loss" in answer.verdict.text
+
+
+def test_each_law_of_the_verdict_of_two_runs_has_its_q_and_its_row_says_what_is_unphysical():
+    """They had none; a column of the CSV said consistent of a law with a negative loss."""
+    runs = [observed("1", [0.02], 60, 1e-3, seed=s) for s in (1, 2)]
+    answer = asy.identify(runs, laws=["1", "2", "1+2", "0+1"], omega_0=2.0)
+    assert float(answer.to_dict()["laws"][0]["equivalent"]["Q"][0]) == pytest.approx(50, rel=0.02)
+    assert "  Q = 50" in "\n".join(answer.lines) or "  Q = 49" in "\n".join(answer.lines)
+    for law in answer.laws:
+        row = law.strengths()[0]
+        assert ("unphysical" in row["verdict"]) == bool(law.law.negative)
+    (rate,) = [row for row in answer.laws[0].strengths() if row["parameter"] == "b/m of 1 [1/s]"]
+    assert rate["low"] < 0.04 < rate["high"]
+    apart = asy.identify([observed("1", [e], 60, 1e-3, seed=1) for e in (0.02, 0.03)], laws=["1", "2"])
+    assert apart.to_dict()["laws"][0]["equivalent"] is None  # of runs that differ none is that of all

@@ -134,7 +134,7 @@ def test_a_common_law_is_refuted_by_residuals_and_by_a_negative_loss(level):
 @pytest.fixture
 def chosen(monkeypatch):
     known = SimpleNamespace(laws=[], allowed=())
-    monkeypatch.setattr(runs, "minimal", lambda laws: known.laws)
+    monkeypatch.setattr(runs, "rivals", lambda laws: (known.laws, []))
     monkeypatch.setattr(runs, "allowances", lambda one, laws, first: known.allowed)
     return known
 
@@ -195,8 +195,24 @@ def test_without_a_loss_that_shows_runs_tell_nothing_unless_they_differ(chosen):
     )
     chosen.laws = [law("1", fit(), epsilon=(around,), apart=("1",))]
     assert verdict_of_runs(said(IDENTIFIED), []).kind == IDENTIFIED
-    chosen.laws = [law("1+2", fit(), epsilon=(around, BELOW))]
+    chosen.laws = [law("1+2", fit(), epsilon=(around, SURE))]
     assert verdict_of_runs(said(IDENTIFIED), []).kind == IDENTIFIED
+
+
+def test_no_common_law_is_identified_that_needs_a_negative_loss(chosen):
+    chosen.laws = [law("1+2", fit(), epsilon=(SURE, BELOW))]
+    found = verdict_of_runs(said(IDENTIFIED, IDENTIFIED), chosen.laws)
+    assert told(found) == (NONE, f"{NONE} with strengths >= 0: 1+2 needs a negative one (2)")
+    chosen.laws = [law("1+2", fit(), epsilon=(SURE, BELOW)), law("3", fit())]
+    assert verdict_of_runs(said(IDENTIFIED, IDENTIFIED), chosen.laws).kind == SEVERAL
+
+
+def test_the_headline_of_runs_names_no_unphysical_law_beside_a_physical_one():
+    below = Interval(-0.3, -0.1, 0.1)
+    laws = [law("1", fit()), law("2+3", fit(), epsilon=(SURE, below))]
+    found = verdict_of_runs(said(IDENTIFIED, IDENTIFIED), laws)
+    assert found.kind == IDENTIFIED and "2+3" not in found.text
+    assert verdict_of_runs(said(UNDECIDED), laws).text.endswith("best: 1")
 
 
 @pytest.mark.parametrize(

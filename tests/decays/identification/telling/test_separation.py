@@ -55,7 +55,7 @@ def test_where_the_other_law_has_no_fit_nothing_is_told(monkeypatch):
 
 def test_an_undecided_verdict_names_six_laws_that_stand(monkeypatch):
     standing = [law(text, object()) for text in ("0", "1", "2", "3", "1/2", "3/2", "5/2")]
-    monkeypatch.setattr(verdicts, "minimal", lambda laws: standing)
+    monkeypatch.setattr(verdicts, "rivals", lambda laws: (standing, []))
     found = undecided([law("0+1", None, missed=UNTRIED), *standing])
     assert found.kind == UNDECIDED and found.text.endswith(
         "before 1 of 8 laws were judged; consistent so far: 0; 1; 2; 3; 1/2; 3/2"

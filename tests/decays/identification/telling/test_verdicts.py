@@ -130,7 +130,9 @@ def test_while_a_law_is_untried_none_is_identified(judged):
     judged.chosen = [one]
     said = f"{UNDECIDED}: the limit of work or time was reached before 1 of 2 laws were judged; consistent so far: "
     assert verdict([one, more]) == (UNDECIDED, f"{said}1")
+    judged.chosen = []
     assert verdict([law("1", verdict="refuted"), more]) == (UNDECIDED, f"{said}none")
+    judged.chosen = [one]
     assert verdict([one, law("2", missed="too few data", verdict="undetermined")])[0] == IDENTIFIED
 
 

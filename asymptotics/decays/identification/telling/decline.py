@@ -1,0 +1,108 @@
+"""What ln A loses in a half-swing at an amplitude: a sum of powers of A, fitted to the amplitudes of a decay.
+
+Which powers, the criterion of Akaike says; the interval is that of all choices near the best.  The errors of amplitudes
+are alike and independent (turning points), proportional to numbers that are known, or have a covariance that is known
+(a smooth line): then sums of squares count in units of it, and are no less than what it says.
+
+>>> n = np.arange(30)
+>>> found = decline_of(n, 2 * np.exp(-0.05 * n), 0.0, 1.0)(1.0)
+>>> f"{found['estimate']:.4f}"
+'0.0500'
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import combinations
+from math import log
+
+import numpy as np
+from scipy.special import stdtrit
+
+from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.decays.identification.measuring.criteria import aicc, memory_factor
+from asymptotics.decays.identification.measuring.observations import Indices
+
+Ends = dict[str, float]
+Decline = Callable[[float], Ends]
+NORMAL = 1.96
+"""Of the normal distribution, for errors that are known."""
+_POWERS, _TERMS, LEAST, _NEAR = (-1, 0, 1, 2, 3), 3, 5, 4.0
+"""Of A, in the fall of ln A: those by the losses of exponents 0 to 3, and of a loss in v^2 beside a pendulum; how many
+together; turning points below which there is one power alone; and the AICc above the best up to which a choice of
+powers is believed too."""
+
+
+def decline_of(
+    n: Indices, size: Array, stated: float, error: Array | float, root: Array | None = None
+) -> Decline | None:
+    """What ln A loses in a half-swing at an amplitude: the sum of powers of A that the criterion chooses.
+
+    ``root``: F of the covariance F F^T of the amplitudes, where it is known, as that of a smooth line.
+    """
+    gap = np.diff(n)
+    # The geometric mean is the amplitude in the middle of a half-swing; sums forgive noise where differences would not.
+    middle = np.sqrt(size[1:] * size[:-1]) / size[0]
+    sums = {k: -np.concatenate([[0.0], np.cumsum(gap * middle**k)]) for k in _POWERS}
+    # Of a few points all choices of one power have as many numbers: their sums of squares alone compare them.
+    few = len(n) < LEAST
+    sets = [c for count in range(1, (1 if few else _TERMS) + 1) for c in combinations(_POWERS, count)]
+    weight = size / size[0] / error  # where the errors of the amplitudes are alike, those of their logarithms are not
+    white = np.eye(len(size)) if root is None else np.linalg.pinv(root / size[0])
+    found = []
+    for powers in sets:
+        V = white @ (np.stack([np.ones(len(size)), *(sums[k] for k in powers)], axis=1) * weight[:, None])
+        y = white @ (weight * np.log(size))
+        # The rest position was taken from them too, which counts where they are few.
+        c, freedom = np.linalg.lstsq(V, y, rcond=None)[0], max(len(y) - V.shape[1] - few, 1)
+        left = y - V @ c
+        rss = max(float((left**2).sum()), 1e-24)
+        known = root is not None
+        deviance = rss if known else len(y) * log(rss / len(y))
+        value = deviance if few else deviance + 2 * V.shape[1] if known else aicc(deviance, V.shape[1] + 1, len(y))
+        if np.isfinite(value) and len(y) >= V.shape[1]:
+            # What is told of the amplitudes elsewhere counts where it is more than the scatter, as for a smooth line.
+            floor, memory = (1.0, 1.0) if known else ((stated / size[0]) ** 2, memory_factor(left))
+            noise = max(rss / freedom, floor) * memory
+            quantile = NORMAL if known else float(stdtrit(freedom, 0.975))
+            covariance = (np.linalg.pinv(V.T @ V) * noise)[1:, 1:] * quantile**2
+            found.append((value, _Fall(powers, c[1:], covariance)))
+    if not found:
+        return None
+    least = min(value for value, _ in found)
+    near = [fall for value, fall in sorted(found, key=lambda pair: pair[0]) if value < least + _NEAR]
+    return lambda amplitude: _united([fall.at(amplitude / size[0]) for fall in near])
+
+
+def decline_of_few(n: Indices, size: Array, stated: float) -> Decline:
+    """The same of two or three amplitudes: of every power alone, whose intervals are those of ``stated`` errors where
+    they are known, else of what a straight line leaves of three."""
+    middle, weight = np.sqrt(size[1:] * size[:-1]) / size[0], size / size[0]
+    freedom, y = len(n) - 2, weight * np.log(size)
+    quantile = NORMAL if stated else float(stdtrit(freedom, 0.975)) if freedom else np.nan
+    falls = []
+    for k in sorted(_POWERS, key=abs):  # viscous drag first: its estimate is told
+        V = np.stack([weight, -weight * np.concatenate([[0.0], np.cumsum(np.diff(n) * middle**k)])], axis=1)
+        c = np.linalg.lstsq(V, y, rcond=None)[0]
+        left = float(((y - V @ c) ** 2).sum()) / max(freedom, 1)
+        noise = max(left if freedom else 0.0, (stated / size[0]) ** 2)
+        falls.append(_Fall((k,), c[1:], np.linalg.inv(V.T @ V)[1:, 1:] * noise * quantile**2))
+    return lambda amplitude: _united([fall.at(amplitude / size[0]) for fall in falls])
+
+
+def _united(each: list[tuple[float, float]]) -> Ends:
+    """The estimate of the first and the interval of all; without errors no ends."""
+    ends = np.array([[value - error, value + error] for value, error in each])
+    return {"low": float(ends[:, 0].min()), "estimate": each[0][0], "high": float(ends[:, 1].max())}
+
+
+@dataclass(frozen=True)
+class _Fall:
+    """The fall of ln A in a half-swing as a sum of powers; ``covariance``: times the square of the quantile."""
+
+    powers: tuple[int, ...]
+    coefficients: Array
+    covariance: Array
+
+    def at(self, amplitude: float) -> tuple[float, float]:
+        by = np.array([amplitude**k for k in self.powers])
+        return float(by @ self.coefficients), float(np.sqrt(by @ self.covariance @ by))
