@@ -220,7 +220,8 @@ def _as_peaks(table: RecordTable, name: str) -> RecordTable:
     if n is None:
         _require_swings(table, name)
         return table
-    told = table.kept(keep, f"{name!r}: {len(n)} {said}; --kind record overrules")
+    other = "two amplitudes that are no period apart: --kind damping" if len(n) == 2 else "--kind record overrules"
+    told = table.kept(keep, f"{name!r}: {len(n)} {said}; {other}")
     return replace(told, kind="turning-points", columns={"n": n, "x": x[keep], "tau": t[keep]})
 
 

@@ -212,6 +212,7 @@ def test_several_runs_have_a_common_answer(monkeypatch):
 def whole(monkeypatch):
     """``identify`` up to its runs."""
     asked = []
+    monkeypatch.setattr(module, "_order_by_its_name", lambda _: 0)
     monkeypatch.setattr(module, "_one_run", lambda *given: (asked.append(given), f"answer {len(asked)}")[1])
     monkeypatch.setattr(module, "_together", lambda answers, units: (answers, units))
     monkeypatch.setattr(module.Work, "of_a_verdict", lambda share=1.0: share)

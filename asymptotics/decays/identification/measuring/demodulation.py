@@ -274,6 +274,15 @@ def _coloured(t: Array, r: Array, omega: float, columns: int, each: int) -> tupl
     return noise, found if found > 1.5 / np.sqrt(keep.sum()) else 0.0
 
 
+def density(memory: float, turn: float) -> float:
+    """How loud AR(1) noise is at a frequency, of ``turn`` radians a sample, beside white noise of its size.
+
+    >>> density(0.0, 0.3), round(density(0.8, 0.0), 6), round(density(0.8, np.pi), 6)
+    (1.0, 9.0, 0.111111)
+    """
+    return float((1 - memory**2) / (1 - 2 * memory * np.cos(turn) + memory**2))
+
+
 def _memory(r: Array, size: int) -> float:
     """The correlation of neighbours, with its bias for so many coefficients; 0 where it is not beyond doubt."""
     rho = float(r[1:] @ r[:-1]) / max(float(r @ r), 1e-300)

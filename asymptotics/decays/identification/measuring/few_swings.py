@@ -23,6 +23,7 @@ from dataclasses import replace
 import numpy as np
 
 from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.decays.identification.measuring.criteria import memory_factor
 from asymptotics.decays.identification.measuring.damped_cosine import DampedCosine, damped_cosine
 from asymptotics.decays.identification.measuring.observations import Observations, Samples
 from asymptotics.errors import InputError
@@ -38,9 +39,9 @@ _CREEPING, _DEGREE = np.geomspace(0.3, 60.0, 20), 5
 _DOUBT = 25.0
 """By how much -2 ln(likelihood) of what does not swing must be larger: chi-squared for four numbers has p = 1e-3 at
 18.5, and about ten frequencies that are tried raise it by twice their logarithm."""
-_LEAST, _CLEAR = 0.85, 0.99
-"""Periods that must be seen, by the lower end of their interval; and the correlation of neighbours up to which noise is
-believed to remember."""
+_LEAST, _CLEAR, _POOR = 0.85, 0.99, 0.1
+"""Periods that must be seen, by the lower end of their interval; the correlation of neighbours up to which noise is
+believed to remember; and what may be left that remembers, as a share of the amplitude: more is no damped cosine."""
 _BENT, _SLOW, _LINE = 6, 0.2, 7.0
 """A polynomial of degree 6, which follows one and a half periods, or what creeps leaves so small a share of the
 variance of a record that has no more; and a line in what is left is no noise (p = e^-7)."""
@@ -52,7 +53,7 @@ def observations_of_few_swings(
     """The turning points of the damped cosine through a record that can tell no law; InputError where none swings."""
     found = swings(t, x, derivative)
     if found is None:
-        reason = f"{name} shows no swing beyond doubt: a motion without a turn, or noise, explains it as well"
+        reason = f"{name} shows no swing beyond doubt: a motion without a turn, or noise, is as near as a damped cosine"
         raise InputError("FILE", reason, f"at least {_LEAST} periods of a free decay that stand out of their noise")
     line, periods = found
     omega = line.omega["estimate"]
@@ -65,7 +66,8 @@ def observations_of_few_swings(
     said = f"{periods:.2g} periods in {len(t)} samples: a damped cosine through all of them; noise {noise:.3g}"
     values = line.size(times) * np.where(k % 2, -1.0, 1.0)
     seen = Observations.of(k.astype(int), values, times, unit=unit, name=name, notes=(*notes, said))
-    return replace(seen, x=values, samples=samples, no_law=f"{periods:.2g} periods tell no law from another")
+    shown = f"{periods:.2g} periods" + (" in such noise" if periods >= ENOUGH_PERIODS else "")
+    return replace(seen, x=values, samples=samples, no_law=f"{shown} tell no law from another")
 
 
 def of_a_short_record(
@@ -107,6 +109,8 @@ def swings(t: Array, x: Array, derivative: int = 0) -> tuple[DampedCosine, float
     if line is None or not line.omega["low"] * (t[-1] - t[0]) > 2 * np.pi * _LEAST:
         return None
     r, left = line.residual, max(_square(line.residual), 1e-300)
+    if memory_factor(r) > 1 and left > len(t) * (_POOR * np.ptp(x) / 2) ** 2:
+        return None
     memory = float(np.clip(r[1:] @ r[:-1] / left, 0, _CLEAR))
     data = len(t) * (1 - memory) / (1 + memory)
     if data * np.log(_square(_without_swing(t, x)) / left) < _DOUBT:

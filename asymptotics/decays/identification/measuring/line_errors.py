@@ -17,7 +17,7 @@ turning times, goes into what is fitted to them.
 import numpy as np
 
 from asymptotics.decays.identification.forward.coefficients import Array
-from asymptotics.decays.identification.measuring.demodulation import SpectralLine, fitted_line
+from asymptotics.decays.identification.measuring.demodulation import SpectralLine, density, fitted_line
 from asymptotics.decays.identification.measuring.observations import Indices, Samples
 
 _MORE, _SPARE = 2, 8
@@ -38,15 +38,13 @@ def line_amplitudes(samples: Samples, t: Array, n: Indices) -> tuple[Array, Arra
     scale = np.sqrt((V**2).sum(axis=0))
     inverse = np.linalg.pinv(V / scale)[2:] / scale[2:, None]
     values = B @ (inverse @ samples.x)
-    # Of noise that remembers there is more at the frequency of the motion, or less.
-    turn, rho = omega * float(np.median(np.diff(samples.t))), samples.memory
-    density = (1 - rho**2) / (1 - 2 * rho * np.cos(turn) + rho**2)
+    loud = density(samples.memory, omega * float(np.median(np.diff(samples.t))))
     along = np.asarray(np.linalg.qr(inverse.T, mode="r")).T
     # The amplitudes of a polynomial of degree d have d + 1 errors that are independent: what is beside them is nothing
     # that a line could follow.
     left, size, _ = np.linalg.svd(np.sign(values)[:, None] * (B @ along), full_matrices=False)
     root = (left * size)[:, : degree + 1]
-    return np.abs(values), samples.noise * np.sqrt(density) * root
+    return np.abs(values), samples.noise * np.sqrt(loud) * root
 
 
 def _columns(line: SpectralLine, t: Array, degree: int, harmonics: tuple[int, ...], derivative: int) -> Array:

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.special import fdtrc
 
 from asymptotics.decays.identification.forward.coefficients import Array
-from asymptotics.decays.identification.measuring.demodulation import SpectralLine, demodulated
+from asymptotics.decays.identification.measuring.demodulation import SpectralLine, demodulated, density
 from asymptotics.decays.identification.measuring.few_swings import ENOUGH_PERIODS, observations_of_few_swings
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.observations import Observations, Samples
@@ -132,8 +132,9 @@ def _is_no_line(line: SpectralLine, t: Array, x: Array) -> bool:
     periods = (t[-1] - t[0]) * line.omega / (2 * np.pi)
     if periods < ENOUGH_PERIODS or line.noise > _LOUD * float(line.at(t)[0].max()):
         return True
-    # Snedecor's F of the line beside a base and a drift; of noise that remembers there is less, and it is louder.
-    count, slow = len(t) - 2 - line.freedom, (1 - line.memory) / (1 + line.memory)
+    # Snedecor's F of the line beside a base and a drift, against what noise that remembers has at its frequency.
+    count = len(t) - 2 - line.freedom
     left = float(((x - np.polynomial.Polynomial.fit(t, x, 1)(t)) ** 2).sum())
-    ratio = slow * max(left / line.noise**2 - line.freedom, 0.0) / count
-    return float(fdtrc(count, max(slow * line.freedom, 1.0), ratio)) > _CHANCE / len(t)
+    loud = density(line.memory, line.omega * float(np.median(np.diff(t))))
+    ratio = max(left / line.noise**2 - line.freedom, 0.0) / (count * loud)
+    return float(fdtrc(count, line.freedom, ratio)) > _CHANCE / len(t)

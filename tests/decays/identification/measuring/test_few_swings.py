@@ -88,6 +88,12 @@ def test_a_record_of_more_swings_or_with_another_line_is_no_short_one():
     assert of_a_short_record(S, swing(1.4), **short).no_law
 
 
+def test_pulses_of_a_hand_are_no_swing():
+    """Failed before a release: 4.5 periods, whose cosine leaves a third of them."""
+    t = np.arange(0, 20, 0.01)
+    assert swings(t, np.where((t // 2) % 2, 1.0, 0.0) + 1e-3 * np.sin(40 * t)) is None
+
+
 def test_the_turning_points_are_those_of_the_motion():
     """Also of a velocity, whose phase is a quarter of a period ahead."""
     seen = of_a_short_record(S, swing(1.4, 1.0, noise=1e-4), unit="", name="r")

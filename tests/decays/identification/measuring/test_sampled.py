@@ -107,5 +107,13 @@ def test_a_line_has_periods_and_a_size_and_is_no_noise():
         assert _is_no_line(given, t, noise) == none
 
 
+def test_a_smooth_error_a_thousandth_of_a_line_makes_it_no_noise():
+    """Failed before a release: neighbours correlated by 0.995 left two and a half data of 500."""
+    t = np.linspace(0, 40, 600)
+    given = line(np.ones(600), 1e-3, omega=2.0)
+    given.memory, given.freedom = 0.995, 550.0
+    assert not _is_no_line(given, t, np.cos(2 * t))
+
+
 def ratio_of(count, freedom, p):
     return float(f_distribution.isf(p, count, freedom))

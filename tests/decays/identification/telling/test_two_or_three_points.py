@@ -32,6 +32,7 @@ def test_two_peaks_have_their_decrement_and_say_that_they_have_no_interval():
         assert row["low"] is None is row["high"]
     assert float(bare["half_life"]["estimate"]) == pytest.approx(np.log(2) / FALL * 0.65, rel=1e-3)
     assert "only with their errors" in bare["intervals_untold"] and bare["law_known"] is False
+    assert any("no period apart: --kind damping" in note for note in answer.notes)
     assert any("Q = 19.6 at 3 cm" in line and "only with their errors" in line for line in answer.lines)
 
 
