@@ -109,6 +109,6 @@ def test_the_work_asks_for_the_time(name, world, more, tmp_path, monkeypatch, ca
 def test_work_that_never_asks_is_noticed(tmp_path, monkeypatch, capsys):
     """Near miss, and once a fault: the swings by the primitive of the energy did not ask, found by this walk."""
     monkeypatch.setattr("asymptotics.turning.energy_primitive.tick", lambda: None)
-    monkeypatch.setattr("tests.ask.test_asks_for_time.LONG", 0.5)
+    monkeypatch.setattr("tests.ask.test_asks_for_time.LONG", 0.1)
     with pytest.raises(AssertionError, match="long without a look at the clock"):
         outcomes("turning-points", "air and a spring x^3", "", tmp_path, monkeypatch, capsys)

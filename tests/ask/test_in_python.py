@@ -10,7 +10,6 @@ import pytest
 import asymptotics as asy
 from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.errors import InputError
-from tests.each import each
 
 SHELL = re.compile(r"(?<![\w-])--[a-z]|\bFILE\b|\bNAME\b|`asymptotics ")
 OSC = asy.Oscillator({2: "1/10"})
@@ -44,7 +43,7 @@ def test_what_is_missing_is_named_as_python_has_it():
         asy.identify({"n": [0, 1], "x": [1, -0.5]}, kind="none such")
 
 
-@each("name", QUESTIONS)
+@pytest.mark.parametrize("name", QUESTIONS)
 def test_the_words_of_the_shell_become_those_of_python(name):
     made = loaded(name)
     told = made.in_python(InputError("--max-seconds", "--no-such-thing is typed", "--digits D with --max-seconds S"))

@@ -14,7 +14,6 @@ from asymptotics.made_by import code
 from asymptotics.present.page import displayed, paragraphs, text
 from asymptotics.present.signs import signs
 from asymptotics.shell.main import main
-from tests.each import each
 from tests.every_question import example
 
 FULL = {  # with formulas that the examples, which are answered at once, do not have
@@ -64,7 +63,7 @@ def unexplained(html):
     return set(shown) - explained - {"d", "e", "π"}  # of a differential, and numbers
 
 
-@each("name", FORMULAS)
+@pytest.mark.parametrize("name", FORMULAS)
 def test_the_letters_of_its_formulas_are_explained(page, name):
     """Each letter that the page sets in a formula stands in the line below, unless it names a function or a unit."""
     html = page(name)

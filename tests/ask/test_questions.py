@@ -20,7 +20,6 @@ from asymptotics.errors import InputError
 from asymptotics.shell.asked import Command
 from asymptotics.shell.main import main
 from tests import every_question
-from tests.each import each
 
 
 def example(name):
@@ -42,7 +41,7 @@ def parsed(question: Question, words: list[str]) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
-@each("name", QUESTIONS)
+@pytest.mark.parametrize("name", QUESTIONS)
 def test_a_question_says_all_that_others_need(name):
     question = loaded(name)
     assert question.page and summary(name) and question.example
@@ -63,7 +62,7 @@ def test_the_summary_is_the_first_line_of_the_file_and_no_file_is_parsed_for_it(
     assert {name: summary(name) for name in QUESTIONS} == {name: line.rstrip(".") for name, line in lines.items()}
 
 
-@each("name", QUESTIONS)
+@pytest.mark.parametrize("name", QUESTIONS)
 def test_the_schema_is_that_of_the_options(capsys, name):
     code, out, err = run(capsys, name, "--schema")
     schema = json.loads(out)
@@ -75,7 +74,7 @@ def test_the_schema_is_that_of_the_options(capsys, name):
         assert told["description"] and ("enum" in told or told["type"] in ("string", "integer", "boolean", "array"))
 
 
-@each("name", QUESTIONS)
+@pytest.mark.parametrize("name", QUESTIONS)
 def test_the_words_of_a_header_are_read_back(name):
     question = loaded(name)
     if question.offers.from_rest or not question.in_header:

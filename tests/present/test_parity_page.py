@@ -22,8 +22,6 @@ sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
 
 from every_type import types
 
-from tests.each import each
-
 PAGE = (Path(__file__).parents[2] / "docs/parity.md").read_text()
 CODE = re.compile(r"`([^`]+)`")
 
@@ -45,7 +43,7 @@ def keywords_of(command):
     return {o.name if o.place else f"--{o.name}" for a in own if not a.kind.options for o in a.options}
 
 
-@each("command", QUESTIONS)
+@pytest.mark.parametrize("command", QUESTIONS)
 def test_every_option_has_its_call(command):
     common = {o for row, _ in sections()["Options that mean the same everywhere"] for o in row}
     own = [o for row, _ in sections().get(command, ()) for o in row]

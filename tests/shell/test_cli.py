@@ -9,7 +9,6 @@ import pytest
 from asymptotics import __version__
 from asymptotics.ask.registry import QUESTIONS
 from asymptotics.shell.main import main
-from tests.each import each
 
 
 def run(capsys, *arguments: str) -> tuple[int, str, str]:
@@ -45,7 +44,7 @@ def test_tables(capsys):
     assert r"\begin{tabular}" in out
 
 
-@each("command", QUESTIONS)
+@pytest.mark.parametrize("command", QUESTIONS)
 def test_every_command_explains_itself(capsys, command):
     code, out, _ = run(capsys, command, "--help")
     assert code == 0
@@ -91,7 +90,7 @@ ERRORS = [
 ]
 
 
-@each(("line", "argument"), ERRORS)
+@pytest.mark.parametrize(("line", "argument"), ERRORS, ids=[line for line, _ in ERRORS])
 def test_bad_input_is_one_line_that_names_the_argument(capsys, line, argument):
     code, out, err = run(capsys, *line.split())
     assert code == 2

@@ -4,7 +4,6 @@ import pytest
 
 from asymptotics.ask.registry import QUESTIONS
 from asymptotics.shell.main import main
-from tests.each import each
 from tests.every_question import example, options_of
 
 TAKEN = [
@@ -19,7 +18,7 @@ def test_every_command_with_a_file_is_walked():
     assert len(TAKEN) > 25 and ("damping", "--from") in TAKEN and ("sweep", "--list") in TAKEN
 
 
-@each(("command", "option"), TAKEN)
+@pytest.mark.parametrize(("command", "option"), TAKEN)
 def test_a_file_that_is_not_there_is_named_by_its_option(command, option, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "mine.csv").write_text("n,x\n0,1\n1,-0.5\n")

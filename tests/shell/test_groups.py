@@ -8,7 +8,6 @@ from asymptotics.ask.question import GROUPS
 from asymptotics.ask.registry import QUESTIONS
 from asymptotics.shell.asked import command_of
 from asymptotics.shell.main import main
-from tests.each import each
 
 
 def parser_of(command):
@@ -21,7 +20,7 @@ def seen(actions):
     return [a for a in actions if a.help != argparse.SUPPRESS]
 
 
-@each("command", QUESTIONS)
+@pytest.mark.parametrize("command", QUESTIONS)
 def test_every_option_stands_under_one_heading(command):
     parser = parser_of(command)
     before = {o for a in seen(parser._actions) for o in a.option_strings}

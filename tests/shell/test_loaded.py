@@ -46,3 +46,10 @@ def test_digits_need_none_of_them(tmp_path):
 @pytest.mark.parametrize("line", ["moment --p sqrt(2)", "expand --alpha sqrt(2) --order 1", "expand --alpha symbolic"])
 def test_a_closed_form_needs_sympy_and_what_is_loaded_is_seen(line):
     assert loaded(line) == [{"sympy", "mpmath"}]
+
+
+def test_identify_loads_no_table_of_distributions():
+    """``scipy.stats`` takes half a second; the few functions that are needed stand in ``scipy.special``."""
+    code = "import sys, asymptotics.ask.questions.identify; print(*({'scipy.special', 'scipy.stats'} & {*sys.modules}))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["scipy.special"]

@@ -38,7 +38,7 @@ from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq, nnls
-from scipy.stats import chi2, f
+from scipy.special import chdtrc, fdtri
 
 from asymptotics.decays.identification.between_amplitudes import means
 from asymptotics.decays.identification.judging.grades import grade_of, in_words, off
@@ -175,7 +175,7 @@ def weighted(
 
 def _rise_of_scatter(free: int) -> float:
     """The rise of chi^2 where the resolution is a scatter of so many degrees of freedom."""
-    return float(f.ppf(0.95, 1, free)) if free else RISE
+    return float(fdtri(1, free, 0.95)) if free else RISE
 
 
 def _scatter(amplitudes: Any, zeta: Any, problem: Problem) -> tuple[float, int]:
@@ -199,7 +199,7 @@ def _candidate(
     b, root = nnls(z / s[:, None], zeta / s)
     square, n, count = float(root**2), len(zeta), len(alphas)
     # Strengths at the bound 0 are counted as fitted, though they fit nothing: p is rather too small.
-    p = float(chi2.sf(square, n - count)) if n > count else 1.0
+    p = float(chdtrc(n - count, square)) if n > count else 1.0
     left = float(np.sqrt(np.mean(((zeta - z @ b) / zeta) ** 2)))
     grade = grade_of("consistent" if p > LEVEL else "refuted", left)
     # A law that does not fit has errors as large as its misfit; a good fit says nothing against the resolutions.
