@@ -92,9 +92,16 @@ def work(record):
     parameters = lmfit.Parameters()
     for name, value in first.items():
         parameters.add(name, value=value)
-    found = lmfit.Model(model, independent_vars=["t"]).fit(record["x"], t=t, params=parameters)
+    # Differences of steps of 1e-4: smaller ones would see the steps of the integrator.
+    fitting = {"epsfcn": 1e-8}
+    found = lmfit.Model(model, independent_vars=["t"]).fit(record["x"], t=t, params=parameters, fit_kws=fitting)
     strengths = [found.params[name] for name in start]
-    return {"strengths": [[e.value - 1.96 * e.stderr, e.value + 1.96 * e.stderr] for e in strengths]}
+    pairs = list(zip(record["law"], strengths))
+    falls = [sum(fall(alpha) * e.value * amplitude ** (alpha - 1) for alpha, e in pairs) for amplitude in record["at"]]
+    return {
+        "quality": [[None, pi / (2 * one), None] for one in falls],
+        "strengths": [[e.value - 1.96 * e.stderr, e.value + 1.96 * e.stderr] for e in strengths],
+    }
 answer = all_records(work)
 """
 )

@@ -34,7 +34,8 @@ def is_smooth(elements: tuple[Element, ...]) -> bool:
     return all(float(e.velocity).is_integer() for e in elements)
 
 
-@np.errstate(over="ignore", invalid="ignore")  # a step of the search may leave the doubles: no swing there
+# A step of the search may leave the doubles, where e^y is 0 too: no swing there.
+@np.errstate(over="ignore", invalid="ignore", divide="ignore")
 def stepped_swings(
     elements: tuple[Element, ...], a: Array, strengths: Array, k2: float = 0.0, tolerance: float = PRECISE
 ) -> tuple[Array, Array, Array]:

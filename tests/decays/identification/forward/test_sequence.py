@@ -112,3 +112,12 @@ def test_the_derivatives_of_the_sequence_are_exact():
 def test_motion_that_sticks_has_no_next_turning_point():
     with pytest.raises(TooStrongError):
         turning_sequence(HalfSwingModel((loss(0),)), 6, np.array([0.0, 0.1]))  # from 1 by 0.2: five swings
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_step_of_the_search_at_the_edge_of_no_swing_warns_of_nothing():
+    """d = 1e-6 at the first middle of a step, so that y falls to -1000 and e^y is 0: a warning reached the user."""
+    theta = np.pi / 96
+    viscous = (1 - 1e-6 - 0.5 * np.cos(theta)) / (np.cos(theta) * np.sin(theta))
+    with pytest.raises(TooStrongError):
+        stepped_swings((loss(0.0), loss(1.0)), np.array([0.0]), np.array([0.5, viscous]))
