@@ -245,7 +245,8 @@ def _require_few(swings: float, where: str) -> None:
 
 def _require_points(x: Array, rows: RowPlaces, notes: tuple[str, ...]) -> None:
     if len(x) < _FEWEST_POINTS:
-        reason = "; ".join([f"{rows.name} has {len(x)} turning points", *notes])
+        shown = "1 turning point" if len(x) == 1 else f"{len(x)} turning points"
+        reason = "; ".join([f"{rows.name} has {shown}", *notes])
         raise InputError("FILE", reason, f"at least {_FEWEST_POINTS}")
     if not np.ptp(np.abs(x)) > 0:
         raise InputError("FILE", f"{rows.name}, column x: all values are {abs(x[0]):g}", "amplitudes that change")

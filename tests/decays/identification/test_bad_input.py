@@ -24,7 +24,7 @@ def record(seconds=60.0, rate=100, x=None):
 BAD = {
     "empty": ("", "empty"),
     "header only": ("n,x\n", "no rows of two numbers"),
-    "short": ("n,x\n0,1\n", "1 turning points"),
+    "short": ("n,x\n0,1\n", "has 1 turning point"),
     "one column": (
         "n\n0\n1\n2\n",
         "no rows of two numbers in 4 lines",
@@ -33,11 +33,11 @@ BAD = {
     "two units": ("amplitude_deg,decrement_mm\n1,0.1\n2,0.3\n", "deg does not fit the column decrement_mm"),
     "text cell": (
         "n,x\n0,1\n1,oops\n",
-        "1 turning points; 1 row that cannot be read left out, the first is row 3: 'oops' in the column x",
+        "1 turning point; 1 row that cannot be read left out, the first is row 3: 'oops' in the column x",
     ),
     "text below a comment": (
         "# a\n\nn,x\n0,1\n1,n/a\n2,oops\n",
-        "1 turning points; 1 row that cannot be read left out, the first is row 6: 'oops'",
+        "1 turning point; 1 row that cannot be read left out, the first is row 6: 'oops'",
     ),
     "not increasing below a gap": ("n,x\n0,1\n1,n/a\n2,0.9\n1,-0.8\n3,-0.7\n", "row 5, column n: 1 after 2"),
     "no header": ("0,1\n1,oops\n", "has no column x among column 1"),
@@ -53,7 +53,7 @@ BAD = {
     "too short an acceleration": ("t,ax (m/s^2)\n0,1\n1,2\n2,3\n", "3 rows"),
     "two positions": ("t,x,theta\n0,1,2\n1,2,2\n2,3,1\n", "x may be any of 'x', 'theta' (accepted: --columns t=1,x=2"),
     "three names above four cells": ("t,x\n0,00,1,25\n0,01,1,24\n0,02,1,22\n", "row 1: 2 names above rows of 4 cells"),
-    "infinite": ("n,x\n0,1\n1,-inf\n", "1 turning points; 1 row"),
+    "infinite": ("n,x\n0,1\n1,-inf\n", "1 turning point; 1 row"),
     "not whole": ("n,x\n0,1\n1.5,-0.9\n2,0.8\n3,-0.7\n", "row 3, column n"),
     "not increasing": ("n,x\n0,1\n2,0.9\n1,-0.8\n3,-0.7\n", "row 4, column n"),
     "constant": ("n,x\n" + "\n".join(f"{n},{(-1) ** n}" for n in range(9)), "column x: all values"),
@@ -75,7 +75,7 @@ BAD = {
     "no motion but noise": (record(x=lambda t: np.random.default_rng(0).standard_normal(len(t))), "(accepted: "),
     "ragged": (
         "n,x\n0,1\n1,-0.9,5\n",
-        "1 turning points; 1 row that cannot be read left out, the first is row 3: '3 cells'",
+        "1 turning point; 1 row that cannot be read left out, the first is row 3: '3 cells'",
     ),
 }
 

@@ -124,7 +124,7 @@ def test_points_at_the_end_on_the_wrong_side_are_those_of_a_rest(wrong, left):
 
 @pytest.mark.parametrize(
     ("x", "reason"),
-    [([1.0], "1 turning points"), ([1.0, -1.0, 1.0, -1.0], "all values are 1"), ([0.0, -1, 1, -1], "is 0")],
+    [([1.0], "1 turning point "), ([1.0, -1.0, 1.0, -1.0], "all values are 1"), ([0.0, -1, 1, -1], "is 0")],
 )
 def test_turning_points_that_tell_nothing_are_refused(x, reason):
     with pytest.raises(InputError, match=reason):

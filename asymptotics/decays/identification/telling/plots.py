@@ -17,7 +17,7 @@ from asymptotics.decays.identification.fitting.waveform import WaveformModel
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.judging.grades import off
 from asymptotics.decays.identification.judging.laws import Judged
-from asymptotics.decays.identification.measuring.observations import Indices
+from asymptotics.decays.identification.measuring.observations import Indices, Observations
 from asymptotics.decays.identification.telling.drawn_backbone import draw_backbone
 from asymptotics.decays.identification.telling.law_answer import shown_interval
 from asymptotics.decays.records.units import SECONDS
@@ -33,9 +33,12 @@ _ALIKE = 0.5
 
 
 def shown_laws(answer: Any) -> list[Judged]:
-    """The laws of the verdict that are drawn; InputError for several runs or printed decrements (no sequence)."""
+    """The laws of the verdict that are drawn; InputError for several runs or printed decrements (no sequence), and
+    where no law is fitted."""
     laws = [found.law for found in answer.laws if found.law.fit is not None and found.law.fit.model.alternating]
     if answer.per_run or not laws:
+        if len(answer.runs) == 1 and isinstance(answer.runs[0], Observations):
+            raise InputError("plot", "no law is fitted: there is no curve", "a record that may tell laws apart")
         raise InputError("plot", "there is no single run of turning points to draw", "one record or turning points")
     chosen = {found.law.candidate for found in answer.of_the_verdict}
     return ([law for law in laws if law.candidate in chosen] or laws)[:_SHOWN]

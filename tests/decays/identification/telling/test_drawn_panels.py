@@ -265,6 +265,7 @@ def answer(*laws, per_run=(), chosen=()):
         of_the_verdict=[SimpleNamespace(law=law) for law in chosen],
         quality_in_words="Q = 3 at 1",
         per_run=per_run,
+        runs=(),
         verdict=SimpleNamespace(text=said),
         units=SimpleNamespace(unit="mm", shown="mm"),
     )

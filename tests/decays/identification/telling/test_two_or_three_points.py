@@ -8,6 +8,7 @@ import pytest
 import asymptotics as asy
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.telling.envelope import envelope, why_none
+from asymptotics.errors import InputError
 from asymptotics.shell.main import main
 
 FALL = 0.08
@@ -34,6 +35,12 @@ def test_two_peaks_have_their_decrement_and_say_that_they_have_no_interval():
     assert "only with their errors" in bare["intervals_untold"] and bare["law_known"] is False
     assert any("no period apart: --kind damping" in note for note in answer.notes)
     assert any("Q = 19.6 at 3 cm" in line and "only with their errors" in line for line in answer.lines)
+
+
+def test_a_picture_without_laws_is_refused_with_the_reason():
+    """It said that there was no single run, of one run."""
+    with pytest.raises(InputError, match="argument plot: no law is fitted"):
+        asy.identify(peaks(2)).plot()
 
 
 def test_with_errors_two_peaks_have_intervals():
