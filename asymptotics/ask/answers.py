@@ -114,7 +114,8 @@ class Offers:
     shown                   the results that stand on the page of --html, each as it shows itself; the text of others
     formula                 the formulas on that page; without it those of --latex, else the result's own
     equation                the equation of motion on that page; without it that of the law, where there is one
-    letters                 what letters of these formulas mean, where that is not what they mean everywhere
+    letters                 what letters of these formulas mean, where that is not what they mean everywhere; None
+                            where the lines say it themselves
     page                    what --html writes, in the place of the page that all have (``ask.page``); None: that page
     reads                   the parameter whose words are files that are read: no file is written over one of them
     again                   how a table is held against its own request; None: its header does not name the request

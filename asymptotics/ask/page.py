@@ -24,7 +24,8 @@ def page_of(question: Question, request: Request, found: Any, words: Sequence[st
     offers = question.offers
     equation = _equation(request) if offers.equation is None else str(offers.equation(found, request))
     formula = offers.formula_of(found, request)
-    where = defined(f"{equation} {formula}", offers.letters(found, request))
+    own = offers.letters(found, request)
+    where = "" if own is None else defined(f"{equation} {formula}", own)
     parts = [
         f"<h1>{_in_signs(question.page.partition(chr(10))[0].rstrip(':.'))}</h1>",
         displayed(equation) if equation else "",

@@ -104,6 +104,7 @@ _FORMULAS = "the answer is formulas, exact: nothing to round, to tabulate or to 
         text=_text,
         as_latex=lambda found, request: found.latex() if hasattr(found, "latex") else _text(found, request),
         failed=lambda found, _: isinstance(found, Failed),
+        letters=lambda *_: None,
         of_shell=_shown,
         lacks={
             **dict.fromkeys(("csv", "digits", "plot", "points"), _FORMULAS),

@@ -27,6 +27,7 @@ from asymptotics.present.signs import signs
 from asymptotics.running.public import public
 
 _TEMPLATE = Path(__file__).with_name("report.html")
+_HEAD = ("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]", "why")
 _READING = (
     "Intervals are 95 % and hold under the law of their row, with independent noise, or noise as correlated as the "
     "residuals are; certified sets hold every solution. Strengths epsilon refer to x0 = 1 unit of the data. "
@@ -78,14 +79,14 @@ def html_report(
     lines = {"program": f"power-law-oscillator {__version__}, identify", **(provenance or {})}
     lines["arithmetic"] = f"Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}"
     lines["made by"] = made_by_line()
-    reasons = [(*(cell.replace("  ", "; ") for cell in entry.row()), entry.law.reason) for entry in answer.laws]
+    reasons = [(*(cell.replace("  ", "; ") for cell in entry.row()), entry.law.reason) for entry in answer.told_laws]
     fields = {
         "title": text(f"Which damping law? {names}"),
         "verdict": text(answer.verdict.text),
         "telling": "".join(f"<p>{text(line)}</p>" for line in (*answer.lines, answer.verdict.telling) if line),
-        "equation": signs(text(answer.best.law.candidate.formula())),
+        "equation": signs(text(answer.best.law.candidate.formula())) if answer.told_laws else "",
         "pictures": "".join(_pictures(answer)),
-        "laws": table(("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]", "why"), reasons, ""),
+        "laws": table(_HEAD, reasons, "") if reasons else f"<p>None of {len(answer.laws)} was fitted.</p>",
         "reading": text(_READING),
         "textbook": _textbook(answer),
         "data": table(("run", "data"), [_told(run) for run in answer.runs], ""),

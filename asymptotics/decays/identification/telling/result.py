@@ -131,11 +131,18 @@ class Identification(Alike, Rows, Drawn):
             found["runs"] = [run.to_dict() for run in self.per_run]
         return found
 
+    @property
+    def told_laws(self) -> tuple[LawAnswer, ...]:
+        """All laws, or none where no law was fitted: rows that say the same of each of them tell nothing."""
+        return self.laws if any(answer.law.strengths for answer in self.laws) else ()
+
     def table(self, count: int = 12) -> str:
         """The first ``count`` laws as a table of text."""
         count = exact_integer(count, "count", 1, 10_000)  # more than are ever tried
+        if not self.told_laws:
+            return f"none of {len(self.laws)} laws was fitted"
         rows: list[tuple[str, ...]] = [("law", "verdict", "dAICc", "held-out", "strengths [interval]")]
-        rows += [answer.row() for answer in self.laws[:count]]
+        rows += [answer.row() for answer in self.told_laws[:count]]
         widths = [max(len(row[i]) for row in rows) for i in range(4)]
         return "\n".join("  ".join([*(c.ljust(w) for c, w in zip(row, widths)), row[4]]).rstrip() for row in rows)
 
@@ -164,13 +171,15 @@ class Identification(Alike, Rows, Drawn):
         return panels
 
     def _formula(self) -> str:
+        if not self.told_laws:
+            return rf"\text{{{plain(self.verdict.text)}}}"
         return rf"\text{{{plain(self.verdict.text)}}}\quad\text{{first of {len(self.laws)}: }} {self.best._formula()}"
 
     def _page(self) -> Page:
         """The verdict, then what tells the laws apart, the table of the first laws and the notes."""
         head = ("law", "verdict", "ΔAICc", "held-out error", "strengths [interval]")
         lines = (*self.lines, self.verdict.telling, *self.notes)
-        return Page(self.verdict.text, lines, head, tuple(a.row() for a in self.laws))
+        return Page(self.verdict.text, lines, head, tuple(a.row() for a in self.told_laws))
 
     def _letters(self) -> dict[str, str]:
         return LETTERS

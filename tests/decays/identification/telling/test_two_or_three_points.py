@@ -37,6 +37,20 @@ def test_two_peaks_have_their_decrement_and_say_that_they_have_no_interval():
     assert any("Q = 19.6 at 3 cm" in line and "only with their errors" in line for line in answer.lines)
 
 
+def test_where_no_law_is_fitted_no_equation_stands_as_if_one_were():
+    """The page, the notebook and LaTeX had that of dry friction, the first of 63; and 63 rows that said the same."""
+    answer = asy.identify(peaks(2))
+    assert answer.told_laws == () and len(answer.to_dict()["laws"]) == len(answer.laws) > 10
+    assert answer.table() == f"none of {len(answer.laws)} laws was fitted"
+    page = asy.html_report(answer)
+    assert "sgn" not in page and "was fitted" in page
+    assert "sgn" not in answer._repr_html_() and "operatorname" not in answer._repr_latex_()
+    other = asy.identify({"n": np.arange(9), "x": 3 * (-0.9) ** np.arange(9.0)}, laws=["1"])
+    assert (
+        other.told_laws == other.laws and "x&#x27;&#x27;" in asy.html_report(other) or "x''" in asy.html_report(other)
+    )
+
+
 def test_a_picture_without_laws_is_refused_with_the_reason():
     """It said that there was no single run, of one run."""
     with pytest.raises(InputError, match="argument plot: no law is fitted"):
