@@ -50,7 +50,7 @@ def stepped_swings(
     # By falling weight, which is -1 at least.
     order = sorted(range(count), key=lambda i: -weights[i])
     falling, delta = tuple(elements[i] for i in order), delta[order]
-    gaps = [weights[i] - weights[j] for i, j in zip(order, order[1:])] + [weights[order[-1]] + 1]
+    gaps, least = [weights[i] - weights[j] for i, j in zip(order, order[1:])], weights[order[-1]]
     size = k2 * np.exp(2 * A)
     # One number of steps for all swings, by the largest: they run together.
     steps = _NEAR_THE_TOP if k2 and (k2 * np.exp(2 * a)).max() > _HIGH else _STEPS
@@ -61,12 +61,16 @@ def stepped_swings(
 
     def rates(k: int, y: Array) -> tuple[Array, Array]:
         s, c, E = sines[k], cosines[k], np.exp(y)
-        N: Array | float = 0.0
-        for part, gap in zip(delta * shapes[k], gaps):
-            N = N + part
+        parts = delta * shapes[k]
+        N = parts[0]
+        for part, gap in zip(parts[1:], gaps):
             for _ in range(gap):
                 N = N * E
-        N = N / E
+            N = N + part
+        for _ in range(least):
+            N = N * E
+        if least < 0:
+            N = N / E
         g = np.sqrt(1 - size * (c * E) ** 2) if k2 else 1.0
         d = g - c * N
         # d = 0: the loss has taken all of the spring's force, and the phase stands still.
