@@ -25,8 +25,8 @@ PYTHON = Path(__file__).parents[1] / ".peers" / "bin" / "python"
 """The environment that is asked; ``none`` leaves it out."""
 TIMEOUT = 60
 IN_PAGES = {
-    "kafe2": ("2.11.0", ("docs/theory/identifiability.md", "docs/tutorials/phone.md", "docs/tutorials/ship.md")),
-    "rolldecay-estimators": ("0.6.0", ("docs/theory/identifiability.md", "docs/tutorials/ship.md")),
+    "kafe2": ("2.11.0", ("docs/how_often_right.md", "docs/tutorials/phone.md", "docs/tutorials/ship.md")),
+    "rolldecay-estimators": ("0.6.0", ("docs/how_often_right.md", "docs/tutorials/ship.md")),
 }
 """Peers of which pages have numbers, those of tutorials found by hand: in the environment of the lock, with these
 versions."""

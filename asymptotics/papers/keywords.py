@@ -113,6 +113,7 @@ OF_PAGES = {
     "theory/error_bounds": "error bound remainder",
     "theory/why_the_series_diverge": "stokes constants resurgence divergence",
     "theory/identifiability": "identification data which law fit",
+    "how_often_right": "coverage intervals evidence identify lmfit kafe2 blind",
     "tutorials/phone": "data record phone accelerometer fit identify",
     "tutorials/ship": "roll ship data fit",
     "tutorials/lecturer": "teaching lecture course figure students",

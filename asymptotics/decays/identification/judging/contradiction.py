@@ -25,7 +25,7 @@ from asymptotics.decays.identification.forward.swing import MAX_FREE_ALPHA
 REFUTED = 1e-3
 """The probability of so bad a fit, were the law true, below which it is refuted.  Small, for dozens of laws are
 compared: one comparison in a thousand with a true law exceeds it, and for some law that contains the true one four
-records in a thousand (``docs/theory/identifiability.md``)."""
+records in a thousand (``docs/how_often_right.md``)."""
 
 
 @dataclass(frozen=True)
