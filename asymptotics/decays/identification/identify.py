@@ -7,13 +7,15 @@
 'refuted'
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from numbers import Real
 from typing import Any
 
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 from asymptotics.decays.identification.fitting.correlation import block_length
 from asymptotics.decays.identification.fitting.model import Noise
@@ -57,6 +59,14 @@ MAX_RUNS = 50
 """Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
 
 
+@contextmanager
+def _one_thread() -> Iterator[None]:
+    """Matrices of a thousand rows: a second thread waits longer than it computes, and would add in another order."""
+    with threadpool_limits(1, user_api="blas"):
+        yield
+
+
+@_one_thread()
 # A search may lead out of the doubles, and so do strengths of a record in units of 1e-40: what is no number there is
 # refused or has no limit, where it is used, and is no warning for the user.
 @np.errstate(all="ignore")
