@@ -183,7 +183,8 @@ def _beside(slow: SlowBaseLine | None, seen: Observations) -> Observations:
     """The base line that was taken off is fitted once more beside every law: what it costs the intervals is in them."""
     if slow is None or seen.samples is None:
         return seen
-    return replace(seen, samples=replace(seen.samples, slow=slow.columns(seen.samples.t)))
+    columns, size = slow.columns(seen.samples.t), float(np.abs(slow.values).max())
+    return replace(seen, samples=replace(seen.samples, slow=columns, wander=size))
 
 
 def _tail(t: Array, seen: Observations) -> list[str]:

@@ -84,8 +84,9 @@ def _decay(axes: Any, law: Judged, unit: str) -> None:
         if seen.samples is not None and seen.samples.derivative == 0:
             t = seen.samples.t
             axes.plot(t / scale, seen.samples.x, ".", markersize=2, color="0.6", label=f"{len(t)} samples")
-            # About a base line that may be inclined.
-            centre = fit.theta[model.after] + fit.theta[model.after + 1] * (place * scale - t[0]) / (t[-1] - t[0])
+            # About a base line that may be inclined, and wander.
+            if isinstance(model, WaveformModel):
+                centre = np.interp(place * scale, t, model.base_line(fit.theta))
             axes.set_xlim(t[0] / scale, t[-1] / scale)
         elif seen.record is not None:  # the turning points are fitted, and these are where they come from
             step = -(-len(seen.record[0]) // _DOTS)
