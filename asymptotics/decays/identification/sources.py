@@ -101,7 +101,7 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
         t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
     said = (*run.notes, *notes, *sensor_notes(t, x))
     parts, found = releases(t, x), list[Observations]()
-    swinging = _swinging(t, x, run)  # at rest the swings are those of noise, which rise and fall
+    swinging = _swinging(t, x)  # at rest the swings are those of noise, which rise and fall
     beat = near_modes(t[swinging], x[swinging])
     if beat is not None:
         # A weaker one is measured and taken off, or stays in what the laws leave: the motion is one decay still.
@@ -146,7 +146,7 @@ def _decay(
     t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...], modes: int = 1
 ) -> Observations:
     if modes > 1 and len(t) >= LEAST_SAMPLES and np.ptp(x) > 0:
-        kept = _swinging(t, x, run)
+        kept = _swinging(t, x)
         return with_mode_beside(t[kept], x[kept], unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
     # Within each release: a line has its own phase and size in each of them.
     whole = t
@@ -162,20 +162,22 @@ def _decay(
             return short
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)
+    swinging = _swinging(t, x)
+    rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
     if _order(run) == 0:
-        swinging = _swinging(t, x, run)
-        rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
         seen = _beside(slow, observations_of_record(t, x, unit=run.unit, rows=rows, whole_motion=slow is not None))
         return replace(seen, notes=(*notes, *seen.notes, *_tail(whole, seen)))
     if len(t) < LEAST_SAMPLES:
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
-    seen = observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
-    return _beside(slow, seen)
+    seen = _beside(
+        slow, observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
+    )
+    return replace(seen, notes=(*seen.notes, *_tail(whole, seen)))
 
 
-def _swinging(t: Array, x: Array, run: RecordTable) -> slice:
-    """The samples of a place before it rests; all of a velocity or an acceleration, of few samples and of one value."""
-    some = _order(run) == 0 and len(t) >= LEAST_SAMPLES and np.ptp(x) > 0
+def _swinging(t: Array, x: Array) -> slice:
+    """The samples before the rest; all of few samples and of one value."""
+    some = len(t) >= LEAST_SAMPLES and np.ptp(x) > 0
     return moving(t, x, dominant_period(t, x)) if some else slice(None)
 
 

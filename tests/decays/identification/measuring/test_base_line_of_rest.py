@@ -2,41 +2,17 @@
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from asymptotics.decays.identification.identify import identified
 from asymptotics.decays.identification.measuring import slow_base_line as measured
 from asymptotics.decays.identification.telling.plots import draw_panels
-
-
-def held_by_friction(t, angle=60.0, omega=4.0, friction=0.25, drag=0.02):
-    """Degrees of a pendulum with dry friction and viscous drag, half-swing by half-swing, until friction holds it."""
-    x, start, found = np.radians(angle), 0.0, np.empty(len(t))
-    while omega**2 * abs(np.sin(x)) > friction:
-        side = -np.sign(x)
-
-        def moves(_, y, side=side):
-            return [y[1], -(omega**2) * np.sin(y[0]) - friction * side - drag * y[1]]
-
-        def turns(s, y, side=side, start=start):
-            return y[1] * side if s > start + 1e-9 else 1.0
-
-        turns.terminal, turns.direction = True, -1
-        half = solve_ivp(
-            moves, (start, start + 9 / omega), [x, 0], method="DOP853", rtol=1e-10, atol=1e-12, events=turns,
-            dense_output=True,
-        )  # fmt: skip
-        now = (t >= start) & (t <= half.t[-1])
-        found[now] = half.sol(t[now])[0]
-        start, x = half.t[-1], half.y[0, -1]
-    found[t > start] = x
-    return np.degrees(found)
+from tests.decays.identification.stopped import stopped
 
 
 @pytest.fixture(scope="module")
 def held():
     t = np.arange(0, 30, 0.01)
-    return t, held_by_friction(t)
+    return t, np.degrees(stopped(t, np.radians(60), 4.0, {0: 0.25, 1: 0.02}, np.sin)[0])
 
 
 @pytest.mark.parametrize("seed", [0, 3, 6])
