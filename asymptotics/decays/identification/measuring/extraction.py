@@ -58,6 +58,8 @@ _LEAST_EXTREMES, _SCARCE, _LOUD = 4, 8, 0.02
 fitted however short the record is: a local polynomial loses such extremes, or moves them."""
 # Nine tenths of the gaps must be below twice the usual one, or a window has too few samples somewhere.
 _UNEVEN = 2.0
+_FOUND = 0.75
+"""Of the extremes: below this share the usual gap between two of them would soon be two half-swings.  A choice."""
 _FEW = 1.0
 """Extremes a period (there are two) below which a line is taken off before the passages are sought."""
 # Binomial weights: the alternating part cancels up to its fourth difference, in short records up to the second.
@@ -110,6 +112,8 @@ def observations_of_record(
         notes.append(f"base line {base[0]:.4g} and drift {base[1]:.3g} a second removed")
     else:
         notes.append(f"base line {base[0]:.4g} removed")
+    if _is_full_of_gaps(found, period):
+        return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes, period=period)
     chosen, discarded = _free_decay(found)
     if _is_scarce(found, chosen, x):
         free = t >= (found.t[chosen[0]] if len(chosen) else t[0])
@@ -343,6 +347,12 @@ def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
     if last < len(size):
         notes.append(f"{len(size) - last} turning points hidden by noise (t > {found.t[last - 1]:.6g}) left out")
     return chosen, notes
+
+
+def _is_full_of_gaps(found: _Points, period: float) -> bool:
+    """Whether cells that are missing here and there leave so few of the extremes that they cannot be counted."""
+    loud = found.t[np.abs(found.x) > 5 * found.sigma_x]
+    return len(loud) > 1 and len(loud) - 1 < _FOUND * (loud[-1] - loud[0]) / (period / 2)
 
 
 def _is_scarce(found: _Points, chosen: Indices, x: Array) -> bool:
