@@ -12,7 +12,7 @@ viscous drag and drag in v^2: consistent; epsilon_1 = ...; the table cannot tell
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from math import inf, nan
 from typing import Any
@@ -23,6 +23,8 @@ from asymptotics.decays.identification.between_amplitudes import pairs
 from asymptotics.decays.identification.found_law import UNTESTED, DampingLaw
 from asymptotics.decays.identification.inverse_damping import QUANTITIES, DampingCandidate, Problem, fitted, weighted
 from asymptotics.decays.identification.resonance_table import as_losses, beyond_first_order
+from asymptotics.decays.records.columns import quantity as named_quantity
+from asymptotics.decays.records.error_names import errors_beside
 from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.decays.records.units import UNITS, seconds, suffix
 from asymptotics.equivalent.rows import OF_MOTION, row_at
@@ -45,8 +47,8 @@ MAX_POINTS, MAX_TERMS = 1000, 4
 _PERCENT = ("%", "percent", "per cent", "pct", "prozent")
 NAMES = {
     "amplitude": ("a", "amplitude"),
-    "zeta": ("zeta", "damping ratio", "damping_ratio"),
-    "Q": ("q", "quality factor", "quality_factor"),
+    "zeta": ("zeta", "\u03b6", "damping ratio", "damping_ratio", "d\xe4mpfungsgrad"),
+    "Q": ("q", "quality factor", "quality_factor", "g\xfcte"),
     "decrement": ("decrement", "lambda", "log decrement", "log_decrement", "logarithmic decrement", "log dec"),
     "resolution": ("resolution", "sigma", "s", "uncertainty", "error"),
     "force": ("f", "force"),
@@ -58,6 +60,7 @@ NAMES = {
     "t": ("t", "time", "tau"),
 }
 _PHASE = ("phase", "phase_resolution")
+_ERROR = "error of A"
 CLOCKS = ("n", "cycles", "t")
 """Half-swings, periods, or the time: what amplitudes alone stand beside."""
 
@@ -203,7 +206,7 @@ def is_of_damping(names: Sequence[str]) -> bool:
     >>> is_of_damping(["A", "log decrement"]), is_of_damping(["t", "a", "force"]), is_of_damping(["Zeit", "a", "force"])
     (True, False, False)
     """
-    found = {name: _what(name) for name in names}
+    found = _whats(names)
     if {"t", None} & {*found.values()}:
         return False
     logarithmic = any(what == "decrement" and name.strip().lower()[:3] != "dec" for name, what in found.items())
@@ -214,12 +217,13 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...], str]:
     """The columns by what they are, which quantity there is, what was done, and the unit of the amplitudes."""
     source = _opened(table)
     names = list(source.names)
-    at = {what: i for i, name in enumerate(names) if (what := _what(name)) is not None}
+    known = _whats(names)
+    at = {what: i for i, name in enumerate(names) if (what := known[name]) not in (None, _ERROR)}
     body = source.read(sorted(at.values()))
     if body.unread.first is not None:
         row, _, cell = body.unread.first
         raise InputError("table", f"{source.name}, row {row + 1}: {cell[:30]!r} is not a number", "numbers")
-    columns, left = {what: body.columns[i] for what, i in at.items()}, [n for n in names if _what(n) is None]
+    columns, left = {what: body.columns[i] for what, i in at.items()}, [n for n in names if known[n] in (None, _ERROR)]
     quantities = [q for q in QUANTITIES if q in columns]
     # Without any of them the amplitudes themselves tell the loss, by their numbers or times.
     clocks = [c for c in CLOCKS if c in columns]
@@ -234,10 +238,10 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...], str]:
             "columns A and one of zeta, Q, decrement (or n, cycles, t of the amplitudes; or force), perhaps resolution",
         )
     columns = {what: values for what, values in columns.items() if what not in unused}
-    left += [name for name in names if _what(name) in unused]
+    left += [name for name in names if known[name] in unused]
     notes = [f"not used: {', '.join(left)}"] if left else []
-    notes += _in_plain_numbers(columns, names)
-    name = next(name for name in names if _what(name) == "amplitude")
+    notes += _in_plain_numbers(columns, known)
+    name = next(name for name in names if known[name] == "amplitude")
     unit = suffix(name)
     if unit and unit not in UNITS:
         raise InputError("table", f"the unit {unit[:20]!r} of {name[:40]!r} is not known", ", ".join(UNITS))
@@ -247,11 +251,16 @@ def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...], str]:
     return columns, quantities[0], tuple(notes), unit
 
 
-def _in_plain_numbers(columns: dict[str, Any], names: Sequence[str]) -> list[str]:
+def _in_plain_numbers(columns: dict[str, Any], known: Mapping[str, str | None]) -> list[str]:
     """Per cent and milliseconds made plain, as the names of the columns say; what was done."""
     told = []
-    for name in names:
-        what, unit = _what(name), suffix(name) or name.rpartition("_")[2]
+    units = {name: suffix(name) or name.rpartition("_")[2] for name in known}
+    of_quantity = next((units[name] for name, what in known.items() if what in QUANTITIES), "")
+    for name, what in known.items():
+        unit = units[name]
+        # Errors without a unit are in that of the numbers beside them.
+        if what == "resolution" and not suffix(name) and name in _errors_of(known):
+            unit = of_quantity
         if what in ("zeta", "decrement", "resolution") and what in columns and unit.lower() in _PERCENT:
             columns[what] = columns[what] / 100
             told.append(f"{name}: per cent")
@@ -267,7 +276,8 @@ def _opened(table: Any) -> Source:
     """The table, named in a refusal by the parameter that gave it; a mapping may hold exact numbers of any kind."""
     if isinstance(table, Mapping):
         rows = {str(name): np.atleast_1d(np.asarray(v, dtype=object)) for name, v in table.items()}
-        columns = {name: real_array(list(v), name) if _what(name) else v for name, v in rows.items()}
+        known = _whats(list(rows))
+        columns = {name: real_array(list(v), name) if known[name] else v for name, v in rows.items()}
         if len({np.size(values) for values in columns.values()}) > 1:
             raise InputError("table", "its columns differ in length", "columns of one length")
         table = columns
@@ -278,6 +288,26 @@ def _opened(table: Any) -> Source:
         if not error.argument.startswith(("FILE", "data")):
             raise
         raise type(error)("table", error.reason, error.accepted) from error
+
+
+def _whats(names: Sequence[str]) -> dict[str, str | None]:
+    """What each column is: by its name; the errors of a quantity, as its resolution; and of a table that has a quantity
+    and no amplitude the one column of places."""
+    found = {name: _what(name) for name in names}
+    errors = _errors_of(names)
+    for name, of in errors.items():
+        if found[name] in (None, "resolution"):
+            found[name] = "resolution" if found.get(of) in QUANTITIES else _ERROR
+    places = [n for n, what in found.items() if what is None and n not in errors and named_quantity(n) == "position"]
+    if "amplitude" not in found.values() and any(what in QUANTITIES for what in found.values()) and len(places) == 1:
+        found[places[0]] = "amplitude"
+    return found
+
+
+def _errors_of(names: Iterable[str]) -> dict[str, str]:
+    """The names of columns of errors, and the names of what they are the errors of."""
+    listed = list(names)
+    return {listed[place]: listed[of] for place, of in errors_beside(listed).items()}
 
 
 def _what(name: str) -> str | None:

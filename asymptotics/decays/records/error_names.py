@@ -15,7 +15,7 @@ from collections.abc import Sequence
 
 from asymptotics.decays.records.units import suffix
 
-_WORD = "uncertainty|uncert|unc|error|err|sigma|std|stdev|delta|unsicherheit|fehler"
+_WORD = "uncertainty|uncert|unc|error|err|sigma|std|stdev|sd|delta|unsicherheit|fehler"
 _SIGN = "[\u03c3\u0394\u03b4\u2206\u00b1]"
 _BEFORE = re.compile(
     rf"(?:(?:{_WORD})[ _]*(?:of|in|von)?[ _]*|{_SIGN}[ _]*|[du]_|d)\(?(?P<of>[^()]+)\)?", re.IGNORECASE

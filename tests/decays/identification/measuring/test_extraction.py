@@ -233,7 +233,7 @@ def test_the_samples_stand_under_the_envelope_where_turning_points_are_fitted():
 
 @pytest.mark.parametrize("missing", [0.08, 0.3])
 def test_cells_that_are_missing_here_and_there_cost_no_swings(missing):
-    """Of 8 % that were missing most extremes had a gap beside them: 'extremes do not alternate' left 2 of 32 periods."""
+    """Of 8 % missing most extremes had a gap beside them: 'extremes do not alternate' left 2 of 32 periods."""
     t, random = np.arange(0, 40, 0.03), np.random.default_rng(0)
     x = 2 * np.exp(-0.03 * t) * np.cos(5 * t) + 0.01 * random.standard_normal(len(t))
     kept = random.random(len(t)) > missing
