@@ -17,6 +17,7 @@ is one for all amplitudes.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations
 
 import numpy as np
@@ -125,11 +126,20 @@ def _shape(powers: tuple[int, ...], g: Array, s: Array) -> Array:
         return np.asarray(np.exp(-g[0] * s))
     if len(powers) == 1:
         return np.asarray(np.clip(1 + powers[0] * g[0] * s, _LEAST, 1 / _LEAST) ** (-1 / powers[0]))
+    return np.asarray(np.exp(np.interp(s, _times(powers, g, s)[1], _LEVELS)))
+
+
+def _summed(f: Array) -> Array:
+    """The integral of f over ln A, from level to level down."""
+    return np.concatenate([[0.0], np.cumsum((f[1:] + f[:-1]) / 2 * -np.diff(_LEVELS))])
+
+
+def _times(powers: tuple[int, ...], g: Array, s: Array) -> tuple[Array, Array]:
+    """One over the rate of decay at each level of ln A/A_0, and when it is reached."""
     rate = sum(gk * np.exp(k * _LEVELS) for k, gk in zip(powers, g))
     # Where the rates of two powers cancel, the amplitude stays.
     slow = 1 / np.maximum(rate, 1e-6 / max(float(s[-1]), 1e-300))
-    times = np.concatenate([[0.0], np.cumsum((slow[1:] + slow[:-1]) / 2 * -np.diff(_LEVELS))])
-    return np.asarray(np.exp(np.interp(s, times, _LEVELS)))
+    return slow, _summed(slow)
 
 
 def _mean_power(k: int) -> float:
@@ -146,6 +156,7 @@ def _bent(k: int) -> Array:
 
 
 _SHAPES = {k: _bent(k) / _mean_power(k) for k in _POWERS}
+_SLOPES = {k: np.gradient(z, _PLACES) for k, z in _SHAPES.items()}
 
 
 def _linear(s: Array, x: Array, omega: float, shape: Array) -> tuple[Array, float]:
@@ -161,18 +172,43 @@ def _begun(s: Array, x: Array, omega: float, rate: float) -> tuple[float, float]
     return min(tried, key=lambda start: _linear(s, x, start[0], np.exp(-start[1] * s))[1])
 
 
-def _fitted(s: Array, x: Array, powers: tuple[int, ...], omega: float, rate: float, bent: bool) -> _Fit | None:
-    def wave(c: Array) -> Array:
-        size, psi = _shape(powers, c[_OTHERS:], s), c[2] * s + c[1]
-        swing = np.cos(psi)
-        for k, g in zip(powers, c[_OTHERS:]) if bent else ():
-            swing = swing + g * size**k / c[2] * np.interp(psi % (2 * np.pi), _PLACES, _SHAPES[k])
-        return np.asarray(np.exp(c[0]) * size * swing + c[3] + c[4] * s / s[-1])
+def _falling(powers: tuple[int, ...], g: Array, s: Array) -> list[Array]:
+    """The slopes of ln A(s)/A_0 in each rate: of one -s (A/A_0)^k, until the amplitude ends; of two by
+    the integral of (A/A_0)^j/rate^2 over ln A, times the rate."""
+    if len(powers) == 1:
+        moving = 1 + powers[0] * g[0] * s
+        inside = (moving > _LEAST) & (moving < 1 / _LEAST)
+        return [np.where(inside, -s * _shape(powers, g, s) ** powers[0], 0.0)]
+    slow, times = _times(powers, g, s)
+    each = [slow**2 * np.exp(k * _LEVELS) for k in powers]
+    return [-np.interp(s, times, _summed(one) / slow, right=0.0) for one in each]
 
+
+def _waves(c: Array, powers: tuple[int, ...], s: Array, bent: bool) -> tuple[Array, Array]:
+    """The samples that these numbers foretell, and their slopes in each of them."""
+    g, omega = c[_OTHERS:], c[2]
+    size, psi = _shape(powers, g, s), omega * s + c[1]
+    swing, ahead, weighed = np.cos(psi), -np.sin(psi), np.cos(psi)
+    beside = [np.zeros(len(s))] * len(powers)
+    for n, (k, gk) in enumerate(zip(powers, g)) if bent else ():
+        z, dz = (np.interp(psi % (2 * np.pi), _PLACES, table[k]) for table in (_SHAPES, _SLOPES))
+        beside[n] = size**k / omega * z
+        swing, weighed = swing + gk * beside[n], weighed + (k + 1) * gk * beside[n]
+        ahead = ahead + gk * size**k / omega * dz
+    wave, u = np.exp(c[0]) * size, s / s[-1]
+    turned = s * ahead - sum(gk * one for gk, one in zip(g, beside)) / omega
+    rates = [fall * weighed + one for fall, one in zip(_falling(powers, g, s), beside)]
+    slopes = [wave * swing, wave * ahead, wave * turned, np.ones(len(s)), u, *(wave * one for one in rates)]
+    return np.asarray(wave * swing + c[3] + c[4] * u), np.stack(slopes, axis=1)
+
+
+def _fitted(s: Array, x: Array, powers: tuple[int, ...], omega: float, rate: float, bent: bool) -> _Fit | None:
     rates = np.full(len(powers), rate / len(powers))
     a, b, base, drift = _linear(s, x, omega, _shape(powers, rates, s))[0]
     start = [np.log(max(float(np.hypot(a, b)), 1e-300)), np.arctan2(b, a), omega, base, drift, *rates]
-    found = least_squares(lambda c: wave(c) - x, start, x_scale="jac", max_nfev=200)
+    told = lru_cache(maxsize=1)(lambda c: _waves(np.frombuffer(c), powers, s, bent))  # the slopes are asked for next
+    wave, slopes = (lambda c: told(c.tobytes())[0] - x), (lambda c: told(c.tobytes())[1])
+    found = least_squares(wave, start, slopes, x_scale="jac", max_nfev=200)
     normal = found.jac.T @ found.jac
     scale = np.sqrt(np.diag(normal))
     if not found.success or not (np.isfinite(scale) & (scale > 0)).all():

@@ -51,7 +51,19 @@ def observations_of_few_swings(
     t: Array, x: Array, *, unit: str, name: str, notes: tuple[str, ...] = (), derivative: int = 0
 ) -> Observations:
     """The turning points of the damped cosine through a record that can tell no law; InputError where none swings."""
-    found = swings(t, x, derivative)
+    return _observed(t, x, swings(t, x, derivative), unit=unit, name=name, notes=notes, derivative=derivative)
+
+
+def _observed(
+    t: Array,
+    x: Array,
+    found: tuple[DampedCosine, float] | None,
+    *,
+    unit: str,
+    name: str,
+    notes: tuple[str, ...],
+    derivative: int,
+) -> Observations:
     if found is None:
         reason = f"{name} shows no swing beyond doubt: a motion without a turn, or noise, is as near as a damped cosine"
         raise InputError("FILE", reason, f"at least {_LEAST} periods of a free decay that stand out of their noise")
@@ -77,10 +89,12 @@ def of_a_short_record(
     without a swing."""
     if not _is_slow(t, x):
         return None
-    found = swings(t, x, derivative)
-    if found is None and _has_line(t, x) or found is not None and found[1] >= ENOUGH_PERIODS:
+    few = averaged(t, x)
+    line = damped_cosine(*few, *begun(*few), derivative)
+    found = _beyond_doubt(*few, line)
+    if found is None and _has_line(*few, line) or found is not None and found[1] >= ENOUGH_PERIODS:
         return None
-    return observations_of_few_swings(t, x, unit=unit, name=name, notes=notes, derivative=derivative)
+    return _observed(t, x, found, unit=unit, name=name, notes=notes, derivative=derivative)
 
 
 def _is_slow(t: Array, x: Array) -> bool:
@@ -93,10 +107,8 @@ def _is_slow(t: Array, x: Array) -> bool:
     return bool(left < _SLOW * _square(x - x.mean()))
 
 
-def _has_line(t: Array, x: Array) -> bool:
+def _has_line(t: Array, x: Array, line: DampedCosine | None) -> bool:
     """Whether something swings beside what swings once or not at all (Fisher's test of the largest line)."""
-    t, x = averaged(t, x)
-    line = damped_cosine(t, x, *begun(t, x))
     left = [_without_swing(t, x), *([] if line is None else [line.residual])]
     power = np.abs(np.fft.rfft(min(left, key=_square)))[1:] ** 2
     return bool(power.max() > (np.log(len(power)) + _LINE) * power.mean())
@@ -105,7 +117,10 @@ def _has_line(t: Array, x: Array) -> bool:
 def swings(t: Array, x: Array, derivative: int = 0) -> tuple[DampedCosine, float] | None:
     """The damped cosine of few periods and how many they are; None where nothing swings beyond doubt."""
     t, x = averaged(t, x)
-    line = damped_cosine(t, x, *begun(t, x), derivative)
+    return _beyond_doubt(t, x, damped_cosine(t, x, *begun(t, x), derivative))
+
+
+def _beyond_doubt(t: Array, x: Array, line: DampedCosine | None) -> tuple[DampedCosine, float] | None:
     if line is None or not line.omega["low"] * (t[-1] - t[0]) > 2 * np.pi * _LEAST:
         return None
     r, left = line.residual, max(_square(line.residual), 1e-300)

@@ -65,6 +65,18 @@ def test_the_amplitude_of_two_losses_is_that_of_its_equation(powers):
     assert module._shape(powers, g, s) == pytest.approx(exact.y[0], rel=2e-3)
 
 
+@pytest.mark.parametrize("bent", [True, False])
+@pytest.mark.parametrize("powers", [(-1,), (0,), (1,), (2,), (-1, 1), (0, 2)])
+def test_the_slopes_of_the_samples_are_their_differences(powers, bent):
+    """By which the fit descends; a slope of 1 in 500 is noticed, of the rates of two powers 1 in 50."""
+    s, c = np.linspace(0, 1, 80), np.array([0.1, 0.4, 9.0, 0.2, -0.1, *[0.6, 0.3][: len(powers)]])
+    slopes = module._waves(c, powers, s, bent)[1]
+    for j in range(len(c)):
+        low, high = (module._waves(c + h * np.eye(len(c))[j], powers, s, bent)[0] for h in (-1e-3, 1e-3))
+        near = 2e-2 if j >= module._OTHERS and len(powers) == 2 else 2e-3
+        assert np.abs((high - low) / 2e-3 - slopes[:, j]).max() < near * np.abs(slopes[:, j]).max()
+
+
 def test_of_a_velocity_the_amplitudes_are_those_of_the_motion():
     t = np.arange(0, 1, 0.01)
     swing = 3 * np.exp((-2 + 18j) * t)

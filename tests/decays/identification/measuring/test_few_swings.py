@@ -61,18 +61,20 @@ def test_what_does_not_swing_is_refused_with_the_true_reason(name):
         told(still(name))
 
 
-def test_noise_of_any_memory_and_creeping_motions_never_swing():
+@pytest.mark.parametrize("rounds", [2, pytest.param(12, marks=pytest.mark.slow)])
+def test_noise_of_any_memory_and_creeping_motions_never_swing(rounds):
     random, found = np.random.default_rng(20261127), []
-    for _ in range(12):
+    for _ in range(rounds):
         noise = random.standard_normal(len(S))
         p, q = random.uniform(1, 20, 2)
         found += [swings(S, y) for y in (noise, np.cumsum(noise), np.exp(-p * S) - np.exp(-q * S) + 0.003 * noise)]
-    assert found == [None] * 36
+    assert found == [None] * 3 * rounds
 
 
-def test_period_and_quality_of_a_swing_are_covered():
+@pytest.mark.parametrize("count", [20, pytest.param(60, marks=pytest.mark.slow)])
+def test_period_and_quality_of_a_swing_are_covered(count):
     hits = []
-    for seed in range(60):
+    for seed in range(count):
         line, periods = swings(S, swing(1.2, seed, seed=seed))
         fall = line.fall(float(line.size(np.array([0.5]))[0]))
         assert periods == pytest.approx(1.2, rel=0.05)
