@@ -31,6 +31,7 @@ from asymptotics.decays.records.peaks import (
     is_envelope,
     never_swings,
     peaks_of_one_side,
+    rows_above_noise,
     turns,
 )
 from asymptotics.decays.records.rows import RowPlaces
@@ -193,7 +194,11 @@ def _as_amplitudes(table: RecordTable, name: str, frequency: float | None) -> Re
 
 def _as_envelope(table: RecordTable, unit: str, frequency: float | None) -> RecordTable:
     """Levels or amplitudes at times, as the amplitudes of a ring-down."""
-    x, relative = amplitudes(table.columns["x"], unit), is_logarithmic(unit)
+    relative, kept = is_logarithmic(unit), rows_above_noise(table.columns["x"])
+    if not relative and kept < len(table.columns["x"]):
+        hidden = len(table.columns["x"]) - kept
+        table = table.kept(np.arange(kept), f"{hidden} rows at the end, where noise hides the amplitude, left out")
+    x = amplitudes(table.columns["x"], unit)
     said = (f"amplitudes 10^(L/20) of the levels L in {unit}",) if relative else ()
     notes = tuple(note for note in table.notes if not (relative and "strengths refer to" in note))
     columns = {"t": table.columns["t"], "x": x}
