@@ -116,6 +116,8 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
             told = (*said, f"{stretch}: the rest is held or touched")
         if len(parts) > 1:
             told = (*said, f"released again: run {number} of {len(parts)}, {stretch}; held or touched between")
+            if number == 1 and places[0] > 0:
+                told = (*told, f"what comes before t = {t[places[0]]:.6g} is held, or too short a release: not used")
             own = replace(own, name=f"{rows.name} (release {number})")
         try:
             found.append(_decay(t[places], x[places], run, own, told, modes))
