@@ -10,7 +10,6 @@ are alike and independent (turning points), proportional to numbers that are kno
 '0.0500'
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import combinations
 from math import log
@@ -21,15 +20,53 @@ from scipy.special import stdtrit
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc, memory_factor
 from asymptotics.decays.identification.measuring.observations import Indices
+from asymptotics.decays.identification.telling.backbone import NORMAL
 
 Ends = dict[str, float]
-Decline = Callable[[float], Ends]
-NORMAL = 1.96
-"""Of the normal distribution, for errors that are known."""
 _POWERS, _TERMS, LEAST, _NEAR = (-1, 0, 1, 2, 3), 3, 5, 4.0
 """Of A, in the fall of ln A: those by the losses of exponents 0 to 3, and of a loss in v^2 beside a pendulum; how many
 together; turning points below which there is one power alone; and the AICc above the best up to which a choice of
 powers is believed too."""
+
+
+@dataclass(frozen=True)
+class _Fall:
+    """The fall of ln A in a half-swing as a sum of powers; ``covariance``: times the square of the quantile."""
+
+    powers: tuple[int, ...]
+    coefficients: Array
+    covariance: Array
+
+    def at(self, amplitude: float) -> tuple[float, float]:
+        by = np.array([amplitude**k for k in self.powers])
+        return float(by @ self.coefficients), float(np.sqrt(by @ self.covariance @ by))
+
+    @property
+    def dry(self) -> tuple[float, float]:
+        """The part in 1/A, as of dry friction, with the half length of its interval."""
+        if -1 not in self.powers:
+            return 0.0, 0.0
+        place = self.powers.index(-1)
+        return float(self.coefficients[place]), float(np.sqrt(self.covariance[place, place]))
+
+
+@dataclass(frozen=True)
+class Decline:
+    """What ln A loses in a half-swing at an amplitude: the best choice of powers first, then those near it, of A over
+    ``first``."""
+
+    first: float
+    falls: tuple[_Fall, ...]
+
+    def __call__(self, amplitude: float) -> Ends:
+        """The loss at an amplitude: the value of the best choice, the interval of all."""
+        return _united([fall.at(amplitude / self.first) for fall in self.falls])
+
+    def friction(self) -> Ends:
+        """Half of what A itself loses in a half-swing by the part in 1/A: the force of dry friction over the stiffness,
+        in the unit of A, never negative; 0 where no choice has the part."""
+        ends = _united([fall.dry for fall in self.falls])
+        return {name: max(value, 0.0) * self.first / 2 for name, value in ends.items()}
 
 
 def decline_of(
@@ -70,7 +107,7 @@ def decline_of(
         return None
     least = min(value for value, _ in found)
     near = [fall for value, fall in sorted(found, key=lambda pair: pair[0]) if value < least + _NEAR]
-    return lambda amplitude: _united([fall.at(amplitude / size[0]) for fall in near])
+    return Decline(float(size[0]), tuple(near))
 
 
 def decline_of_few(n: Indices, size: Array, stated: float) -> Decline:
@@ -86,23 +123,10 @@ def decline_of_few(n: Indices, size: Array, stated: float) -> Decline:
         left = float(((y - V @ c) ** 2).sum()) / max(freedom, 1)
         noise = max(left if freedom else 0.0, (stated / size[0]) ** 2)
         falls.append(_Fall((k,), c[1:], np.linalg.inv(V.T @ V)[1:, 1:] * noise * quantile**2))
-    return lambda amplitude: _united([fall.at(amplitude / size[0]) for fall in falls])
+    return Decline(float(size[0]), tuple(falls))
 
 
 def _united(each: list[tuple[float, float]]) -> Ends:
     """The estimate of the first and the interval of all; without errors no ends."""
     ends = np.array([[value - error, value + error] for value, error in each])
     return {"low": float(ends[:, 0].min()), "estimate": each[0][0], "high": float(ends[:, 1].max())}
-
-
-@dataclass(frozen=True)
-class _Fall:
-    """The fall of ln A in a half-swing as a sum of powers; ``covariance``: times the square of the quantile."""
-
-    powers: tuple[int, ...]
-    coefficients: Array
-    covariance: Array
-
-    def at(self, amplitude: float) -> tuple[float, float]:
-        by = np.array([amplitude**k for k in self.powers])
-        return float(by @ self.coefficients), float(np.sqrt(by @ self.covariance @ by))
