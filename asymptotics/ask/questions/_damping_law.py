@@ -143,7 +143,7 @@ def damping_law(
     table
         columns A, zeta (Q, decrement; n, cycles, t of two amplitudes or more; or force), resolution: the law
     resolution
-        with --from: the standard deviation of each value
+        with --from: the standard deviation of each value, in the unit of its column
     laws
         with --from: candidate laws, exponents: 1 1+2 0+2 ...
     spring
@@ -165,7 +165,8 @@ def damping_law(
     Notes
     -----
     ``table`` is a file, a data frame or a mapping with a column A (amplitude, m or rad, or as its header says: A [deg],
-    A [mm]), one of zeta, Q, decrement (zeta [%] in per cent), and perhaps resolution (the standard deviation of each).
+    A [mm]; beside zeta also theta, phi, roll angle, x), one of zeta, Q, decrement (zeta [%] in per cent), and perhaps
+    its resolution: the standard deviation of each, in a column of that name, or u(zeta), sd zeta, zeta_err.
     In their place the amplitudes of a decay themselves: n counts half-swings, cycles periods, t is the time in s
     (omega_0 t without ``mass`` and ``stiffness``); resolution is that of A then.  Two amplitudes tell the strength of
     each law of one term.  Or the force under which each amplitude was measured, in a column force, and its angular

@@ -12,7 +12,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from asymptotics.decays.identification.damping_table import is_of_damping, law_of_table
+from asymptotics.decays.identification.damping_columns import is_of_damping
+from asymptotics.decays.identification.damping_table import law_of_table
 from asymptotics.decays.identification.found_law import DampingLaw
 from asymptotics.decays.records.sources import How, Source, opened
 from asymptotics.errors import InputError, LimitError

@@ -11,8 +11,7 @@ viscous drag and drag in v^2: consistent; epsilon_1 = ...; the table cannot tell
 'refuted'
 """
 
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from math import inf, nan
 from typing import Any
@@ -20,16 +19,14 @@ from typing import Any
 import numpy as np
 
 from asymptotics.decays.identification.between_amplitudes import pairs
+from asymptotics.decays.identification.damping_columns import CLOCKS, PHASE, read_columns
 from asymptotics.decays.identification.found_law import UNTESTED, DampingLaw
-from asymptotics.decays.identification.inverse_damping import QUANTITIES, DampingCandidate, Problem, fitted, weighted
+from asymptotics.decays.identification.inverse_damping import DampingCandidate, Problem, fitted, weighted
 from asymptotics.decays.identification.resonance_table import as_losses, beyond_first_order
-from asymptotics.decays.records.sources import How, Source, opened
-from asymptotics.decays.records.units import UNITS, seconds, suffix
 from asymptotics.equivalent.rows import OF_MOTION, row_at
 from asymptotics.errors import InputError, LimitError, UndecidedError
 from asymptotics.frames import BARE, Frame
 from asymptotics.law import Oscillator, SpringLike
-from asymptotics.numbers.arrays import real_array
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import double_of, exact_double, exact_number
 from asymptotics.numbers.quantities import ANGLES
@@ -42,24 +39,6 @@ from asymptotics.terms_given import PENDULUM
 DEFAULT = ("0", "1", "2", "3", "0+1", "1+2", "0+2", "1+3", "0+1+2")
 # They bound the work: a profile is many least squares over all rows, for every strength of every candidate.
 MAX_POINTS, MAX_TERMS = 1000, 4
-_PERCENT = ("%", "percent", "per cent", "pct", "prozent")
-NAMES = {
-    "amplitude": ("a", "amplitude"),
-    "zeta": ("zeta", "damping ratio", "damping_ratio"),
-    "Q": ("q", "quality factor", "quality_factor"),
-    "decrement": ("decrement", "lambda", "log decrement", "log_decrement", "logarithmic decrement", "log dec"),
-    "resolution": ("resolution", "sigma", "s", "uncertainty", "error"),
-    "force": ("f", "force"),
-    "omega": ("omega", "w"),
-    "phase": ("phase", "lag"),
-    "phase_resolution": ("phase_resolution", "phase resolution", "sigma_phase"),
-    "n": ("n",),
-    "cycles": ("cycle", "cycles", "period", "periods", "count"),
-    "t": ("t", "time", "tau"),
-}
-_PHASE = ("phase", "phase_resolution")
-CLOCKS = ("n", "cycles", "t")
-"""Half-swings, periods, or the time: what amplitudes alone stand beside."""
 
 
 def _require_doubles(**given: ExactReal | None) -> None:
@@ -86,12 +65,14 @@ def law_of_table(
     InputError by name for what cannot be used.
     """
     _require_doubles(resolution=resolution, mass=mass, stiffness=stiffness)
-    columns, quantity, notes, unit = _read(table)
+    read = read_columns(table)
+    columns, quantity, notes = read.values, read.quantity, read.notes
     known = columns.get("resolution")
     if resolution is not None:
         if known is not None:
             raise InputError("resolution", "the table has a column of that name", "one of the two")
-        known = np.full(len(columns["amplitude"]), double_of(resolution))
+        # In the unit in which the file has the quantity.
+        known = np.full(len(columns["amplitude"]), read.size * double_of(resolution))
     spread = None if known is None else _positive(known, "resolution")
     given = _positive(columns["amplitude"], "A")
     ends, between = (float(given.min()), float(given.max())), quantity in CLOCKS
@@ -101,7 +82,7 @@ def law_of_table(
         columns |= {name: _positive(columns[name], name) for name in ("force", "omega") if name in columns}
         columns, said = _with_phase(columns, spread is not None)
         notes = (*notes, *said)
-        used |= {name: columns[name].tolist() for name in ("omega", *_PHASE) if name in columns}
+        used |= {name: columns[name].tolist() for name in ("omega", *PHASE) if name in columns}
     used |= {} if spread is None else {"resolution": spread.tolist()}
     if between:
         if spring is not None:
@@ -138,7 +119,7 @@ def law_of_table(
         found = tuple(replace(c, strengths=tuple(replace(e, low=nan, high=nan) for e in c.strengths)) for c in found)
     elif spread is None:
         notes += ("no resolutions: taken equal, as large as the best candidate needs, so none is refuted by chance",)
-    turning = spring == PENDULUM or unit in ANGLES
+    turning = spring == PENDULUM or read.unit in ANGLES
     frame = BARE if mass is None else Frame("rad" if turning else "m", "s")
     off = None if driven else _neglected(problem, found[0], ends)
     relative = inf if spread is None and len(values) == 1 else float(np.median(s / zeta))
@@ -190,103 +171,6 @@ def _losses(
     # The errors of both amplitudes; that neighbours share one is neglected.
     error = np.hypot(spread[:-1] / size[:-1], spread[1:] / size[1:]) / (of_one * np.diff(count))
     return both, values, error, (named,)
-
-
-def is_of_damping(names: Sequence[str]) -> bool:
-    """Whether columns of these names are a table of damping or of a resonance, and can be nothing else.
-
-    A decrement of which no more is said is that of ``identify``, A_n - A_(n+1), and none of ln(A_n/A_(n+2)); beside a
-    time, or what has no name here, "a" may be an acceleration and "force" a sensor.
-
-    >>> is_of_damping(["A [deg]", "zeta [%]"]), is_of_damping(["amplitude", "decrement"]), is_of_damping(["t", "A"])
-    (True, False, False)
-    >>> is_of_damping(["A", "log decrement"]), is_of_damping(["t", "a", "force"]), is_of_damping(["Zeit", "a", "force"])
-    (True, False, False)
-    """
-    found = {name: _what(name) for name in names}
-    if {"t", None} & {*found.values()}:
-        return False
-    logarithmic = any(what == "decrement" and name.strip().lower()[:3] != "dec" for name, what in found.items())
-    return "amplitude" in found.values() and (logarithmic or not {"zeta", "Q", "force"}.isdisjoint(found.values()))
-
-
-def _read(table: Any) -> tuple[dict[str, Any], str, tuple[str, ...], str]:
-    """The columns by what they are, which quantity there is, what was done, and the unit of the amplitudes."""
-    source = _opened(table)
-    names = list(source.names)
-    at = {what: i for i, name in enumerate(names) if (what := _what(name)) is not None}
-    body = source.read(sorted(at.values()))
-    if body.unread.first is not None:
-        row, _, cell = body.unread.first
-        raise InputError("table", f"{source.name}, row {row + 1}: {cell[:30]!r} is not a number", "numbers")
-    columns, left = {what: body.columns[i] for what, i in at.items()}, [n for n in names if _what(n) is None]
-    quantities = [q for q in QUANTITIES if q in columns]
-    # Without any of them the amplitudes themselves tell the loss, by their numbers or times.
-    clocks = [c for c in CLOCKS if c in columns]
-    quantities = quantities or (["force"] if "force" in columns else clocks[:1])
-    kept = {"force", "omega", *_PHASE} if quantities == ["force"] else {*quantities[:1]}
-    unused = [c for c in (*clocks, "force", "omega", *_PHASE) if c in columns and c not in kept] if quantities else []
-    if "amplitude" not in columns or len(quantities) != 1:
-        reason = "no column A" if "amplitude" not in columns else f"{len(quantities)} of the columns zeta, Q, decrement"
-        raise InputError(
-            "table",
-            f"it has {reason}",
-            "columns A and one of zeta, Q, decrement (or n, cycles, t of the amplitudes; or force), perhaps resolution",
-        )
-    columns = {what: values for what, values in columns.items() if what not in unused}
-    left += [name for name in names if _what(name) in unused]
-    notes = [f"not used: {', '.join(left)}"] if left else []
-    notes += _in_plain_numbers(columns, names)
-    name = next(name for name in names if _what(name) == "amplitude")
-    unit = suffix(name)
-    if unit and unit not in UNITS:
-        raise InputError("table", f"the unit {unit[:20]!r} of {name[:40]!r} is not known", ", ".join(UNITS))
-    if UNITS.get(unit, 1.0) != 1.0:
-        columns["amplitude"] = columns["amplitude"] * UNITS[unit]
-        notes.append(f"amplitudes in {unit} taken as {'rad' if unit in ANGLES else 'm'}")
-    return columns, quantities[0], tuple(notes), unit
-
-
-def _in_plain_numbers(columns: dict[str, Any], names: Sequence[str]) -> list[str]:
-    """Per cent and milliseconds made plain, as the names of the columns say; what was done."""
-    told = []
-    for name in names:
-        what, unit = _what(name), suffix(name) or name.rpartition("_")[2]
-        if what in ("zeta", "decrement", "resolution") and what in columns and unit.lower() in _PERCENT:
-            columns[what] = columns[what] / 100
-            told.append(f"{name}: per cent")
-        if what in _PHASE and what in columns and unit.lower() in ("deg", "degree", "degrees", "°"):
-            columns[what] = np.radians(columns[what])
-            told.append(f"{name}: degrees")
-        if what == "t" and what in columns:
-            columns[what] = columns[what] * seconds(name, "the table")
-    return told
-
-
-def _opened(table: Any) -> Source:
-    """The table, named in a refusal by the parameter that gave it; a mapping may hold exact numbers of any kind."""
-    if isinstance(table, Mapping):
-        rows = {str(name): np.atleast_1d(np.asarray(v, dtype=object)) for name, v in table.items()}
-        columns = {name: real_array(list(v), name) if _what(name) else v for name, v in rows.items()}
-        if len({np.size(values) for values in columns.values()}) > 1:
-            raise InputError("table", "its columns differ in length", "columns of one length")
-        table = columns
-    try:
-        return opened(table, How())
-    except InputError as error:
-        # The reader calls its argument FILE or data; here the caller has written table=.
-        if not error.argument.startswith(("FILE", "data")):
-            raise
-        raise type(error)("table", error.reason, error.accepted) from error
-
-
-def _what(name: str) -> str | None:
-    # The name without its unit, written as A [deg], A (mm), A / mm or A_deg.
-    plain = re.sub(r"\s*[\[(].*|\s+/\s.*", "", name.strip())
-    unit = re.fullmatch(r"(.*)_([^_]+)", plain)
-    known = unit and (suffix(plain) or unit[2].lower() in _PERCENT)
-    plain = (unit[1] if unit and known else plain).lower()
-    return next((what for what, words in NAMES.items() if plain in words), None)
 
 
 def _positive(values: Any, name: str) -> Any:

@@ -15,12 +15,12 @@ from collections.abc import Sequence
 
 from asymptotics.decays.records.units import suffix
 
-_WORD = "uncertainty|uncert|unc|error|err|sigma|std|stdev|delta|unsicherheit|fehler"
+_WORD = "uncertainty|uncert|unc|error|err|sigma|sd|std|stdev|delta|unsicherheit|fehler"
 _SIGN = "[\u03c3\u0394\u03b4\u2206\u00b1]"
 _BEFORE = re.compile(
     rf"(?:(?:{_WORD})[ _]*(?:of|in|von)?[ _]*|{_SIGN}[ _]*|[du]_|d)\(?(?P<of>[^()]+)\)?", re.IGNORECASE
 )
-_BEHIND = re.compile(rf"(?P<of>.+?)(?:[ _]+(?:{_WORD}|sd|pm)|[ _]*\u00b1)", re.IGNORECASE)
+_BEHIND = re.compile(rf"(?P<of>.+?)(?:[ _]+(?:{_WORD}|pm)|[ _]*\u00b1)", re.IGNORECASE)
 _ALONE = re.compile(rf"(?:{_WORD}|\u00b1|\+/-|\+-|\u03c3)(?: \d+)?(?:\.\d+)?", re.IGNORECASE)
 _DIFFERENCE = re.compile(r"d|[\u0394\u03b4\u2206]|delta", re.IGNORECASE)
 _TIMES = ("t", "time", "tau", "zeit")

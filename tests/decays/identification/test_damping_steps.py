@@ -8,12 +8,11 @@ from scipy.optimize import minimize
 from scipy.stats import chi2
 
 from asymptotics.decays.identification import damping_table, inverse_damping
+from asymptotics.decays.identification.damping_columns import is_of_damping, read_columns, roles
 from asymptotics.decays.identification.damping_table import (
     _candidates,
     _neglected,
     _positive,
-    _read,
-    _what,
     law_of_table,
 )
 from asymptotics.decays.identification.inverse_damping import (
@@ -184,17 +183,59 @@ def test_a_candidate_and_a_strength_are_told():
     ],
 )  # fmt: skip
 def test_columns_are_known_by_their_names_without_units(name, what):
-    assert _what(name) == what
+    assert roles([name]) == [what]
 
 
 def test_a_mapping_is_read_with_its_unit_and_what_is_not_used_is_told():
-    table, quantity, notes, unit = _read({"A (deg)": [10, 20], "Q": [50, 40], "time": [0, 1], "room": [1, 2]})
-    assert table["amplitude"] == pytest.approx(np.radians([10, 20])) and table["Q"].tolist() == [50, 40]
-    assert (quantity, unit) == ("Q", "deg") and notes == ("not used: room, time", "amplitudes in deg taken as rad")
-    table, quantity, notes, unit = _read({"A [mm]": [10, 20], "zeta": [0.01, 0.02], "sigma": [1e-3, 1e-3]})
-    assert table["amplitude"] == pytest.approx([0.01, 0.02]) and notes == ("amplitudes in mm taken as m",)
-    assert table["resolution"].tolist() == [1e-3, 1e-3] and (quantity, unit) == ("zeta", "mm")
-    assert _read({"A [m]": [1], "decrement": [2]})[2] == () == _read({"A": [1], "decrement": [2]})[2]
+    read = read_columns({"A (deg)": [10, 20], "Q": [50, 40], "time": [0, 1], "room": [1, 2]})
+    assert read.values["amplitude"] == pytest.approx(np.radians([10, 20])) and read.values["Q"].tolist() == [50, 40]
+    assert (read.quantity, read.unit) == ("Q", "deg")
+    assert read.notes == ("not used: time, room", "amplitudes in deg taken as rad")
+    read = read_columns({"A [mm]": [10, 20], "zeta": [0.01, 0.02], "sigma": [1e-3, 1e-3]})
+    assert read.values["amplitude"] == pytest.approx([0.01, 0.02]) and read.notes == ("amplitudes in mm taken as m",)
+    assert read.values["resolution"].tolist() == [1e-3, 1e-3] and (read.quantity, read.unit) == ("zeta", "mm")
+    assert (
+        read_columns({"A [m]": [1], "decrement": [2]}).notes == () == read_columns({"A": [1], "decrement": [2]}).notes
+    )
+
+
+def test_angles_and_errors_as_reports_of_towing_tanks_name_them():
+    """Each was refused, or its errors were "not used" (issue 40, item 11)."""
+    for names in (
+        ["theta (deg)", "zeta"], ["roll angle (deg)", "damping ratio"], ["phi_a", "zeta [%]"], ["x [mm]", "Q"],
+        ["φ / °", "Dämpfungsgrad"],
+    ):  # fmt: skip
+        assert roles(names)[0] == "amplitude" and is_of_damping(names)
+    # Near misses: a record, a record of a sensor, an amplitude beside an angle, a resonance with its phase.
+    assert not is_of_damping(["t", "theta", "zeta"]) and roles(["x", "force"])[0] is None
+    assert roles(["theta", "A", "zeta"]) == [None, "amplitude", "zeta"]
+    assert roles(["A", "force", "phi"]) == ["amplitude", "force", None]
+    for name in ("u(zeta)", "sd zeta", "zeta_err", "dzeta", "±", "resolution"):
+        assert roles(["A", "zeta", name]) == ["amplitude", "zeta", "resolution"]
+    assert roles(["A", "u(A)", "zeta"]) == ["amplitude", None, "zeta"]  # an error of the place is none of the loss
+    assert roles(["A", "u(A)", "force", "phase", "u(phase)"])[1::3] == ["resolution", "phase_resolution"]
+    assert roles(["A", "u(A)", "n"])[1] == "resolution"
+
+
+def test_a_resolution_has_the_unit_of_what_it_belongs_to():
+    """That of amplitudes in mm was taken as m: thousand times too wide an interval."""
+    for name, size in (("A [mm]", 1e-3), ("A [m]", 1.0), ("A [deg]", np.pi / 180)):
+        for error in ("resolution", "u(A)"):
+            read = read_columns({name: [20, 18], "n": [0, 2], error: [0.1, 0.2]})
+            assert read.values["resolution"] == pytest.approx(size * np.array([0.1, 0.2])) and read.size == size
+    own = read_columns({"A [mm]": [20, 18], "n": [0, 2], "sd A [m]": [1e-4, 2e-4]})
+    assert own.values["resolution"].tolist() == [1e-4, 2e-4]
+    own = read_columns({"A [mm]": [20, 18], "n": [0, 2], "resolution [m]": [1e-4, 2e-4]})
+    assert own.values["resolution"].tolist() == [1e-4, 2e-4]
+    read = read_columns({"A": [1, 2], "zeta [%]": [1, 2], "u(zeta)": [0.1, 0.2]})
+    assert read.values["resolution"] == pytest.approx([1e-3, 2e-3]) and read.size == 0.01
+    assert read_columns({"A [mm]": [1, 2], "zeta": [0.01, 0.02], "sigma": [1e-3, 1e-3]}).size == 1.0
+    ends = [
+        law_of_table({name: size * np.array([20, 18, 16.2, 14.5]), "n": [0, 2, 4, 6]}, resolution=exact_number(r, "r"))
+        for name, size, r in (("A [mm]", 1, "0.1"), ("A [m]", 1e-3, "0.0001"))
+    ]
+    one, other = (found.law("1").strengths[0] for found in ends)
+    assert (one.low, one.high) == pytest.approx((other.low, other.high)) and one.low > 0.03
 
 
 @pytest.mark.parametrize(
@@ -207,7 +248,7 @@ def test_a_mapping_is_read_with_its_unit_and_what_is_not_used_is_told():
 )  # fmt: skip
 def test_tables_that_cannot_be_used_say_why(given, said):
     with pytest.raises(InputError, match=f"argument table.*{said}"):
-        _read(given)
+        read_columns(given)
 
 
 def test_only_positive_numbers_in_one_column_are_served():
