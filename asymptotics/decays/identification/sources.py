@@ -25,6 +25,7 @@ from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.table import RecordTable, read_table
 from asymptotics.errors import InputError, LimitError
+from asymptotics.present.counts import many
 
 LEAST_POINTS, _FEWEST_POINTS = 4, 2
 """First amplitude and a strength leave two data of four: fewer turning points tell no law from another; two tell Q."""
@@ -97,7 +98,7 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
     wild = spikes(x)
     if wild.any():
         first = rows.where(int(np.argmax(wild)), column)
-        notes = (*notes, f"{int(wild.sum())} samples far from their neighbours left out, the first is {first}")
+        notes = (*notes, f"{many(int(wild.sum()), 'sample')} far from their neighbours left out, the first is {first}")
         t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
     said = (*run.notes, *notes, *sensor_notes(t, x))
     parts, found = releases(t, x), list[Observations]()
@@ -250,7 +251,7 @@ def _require_few(swings: float, where: str) -> None:
 
 def _require_points(x: Array, rows: RowPlaces, notes: tuple[str, ...]) -> None:
     if len(x) < _FEWEST_POINTS:
-        shown = "1 turning point" if len(x) == 1 else f"{len(x)} turning points"
+        shown = many(len(x), "turning point")
         reason = "; ".join([f"{rows.name} has {shown}", *notes])
         raise InputError("FILE", reason, f"at least {_FEWEST_POINTS}")
     if not np.ptp(np.abs(x)) > 0:

@@ -17,6 +17,7 @@ amplitude sinks into the noise.  What was discarded is said in ``notes``.
 """
 
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -34,6 +35,7 @@ from asymptotics.decays.records.table import RecordTable
 from asymptotics.decays.records.units import UNITS
 from asymptotics.errors import InputError
 from asymptotics.numbers.quantities import ANGLES
+from asymptotics.present.counts import many
 
 _RECORD = RowPlaces("the record")
 _WINDOW, _WIDEST, _SAMPLES = 0.11, 0.26, 4.6
@@ -118,7 +120,7 @@ def observations_of_record(
         return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=table.notes, period=period)
     if len(chosen) < _LEAST_EXTREMES:
         free = t >= (found.t[chosen[0]] if len(chosen) else t[0])
-        kept = (*table.notes, *discarded, f"only {len(chosen)} turning points form a free decay")
+        kept = (*table.notes, *discarded, f"of a free decay only {many(len(chosen), 'turning point')}")
         return observations_of_few_swings(t[free], x[free], unit=unit, name=name, notes=kept)
     # Windows of nine samples for seven coefficients throw most of a sparse record away: noise that is seen is enough.
     sparse = per_period < _SAMPLES / _WINDOW
@@ -321,14 +323,14 @@ def _base_line(found: _Points, start: float) -> Array:
 
 def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
     """Indices of the free decay: from the largest turning point to the first that the noise hides."""
-    size, notes = np.abs(found.x), []
+    size, notes, turning = np.abs(found.x), [], partial(many, thing="turning point")
     first = int(np.argmax(size >= size.max() - 4 * float(np.median(found.sigma_x))))  # noise alone makes none larger
     if first > len(size) // 2:  # a growing record: nothing to cut off
         first = 0
     else:
         started = start_of_freedom(found.t[first:])
         if started:
-            notes.append(f"{started} turning points after the release, with disturbed durations, left out")
+            notes.append(f"{turning(started)} after the release, with disturbed durations, left out")
         first += started
     # Below five standard errors an extreme is chosen by its noise.
     hidden = np.flatnonzero(size[first:] < 5 * found.sigma_x[first:])
@@ -341,9 +343,9 @@ def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
         chosen = chosen[: same[0] + 1]
         notes.append(f"from t = {found.t[chosen[-1]]:.6g} on, extremes do not alternate: left out")
     if first:
-        notes.append(f"{first} turning points in all before t = {found.t[first]:.6g} left out: forced or released")
+        notes.append(f"{turning(first)} in all before t = {found.t[first]:.6g} left out: forced or released")
     if last < len(size):
-        notes.append(f"{len(size) - last} turning points hidden by noise (t > {found.t[last - 1]:.6g}) left out")
+        notes.append(f"{turning(len(size) - last)} hidden by noise (t > {found.t[last - 1]:.6g}) left out")
     return chosen, notes
 
 
