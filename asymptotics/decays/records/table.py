@@ -197,7 +197,7 @@ def _as_envelope(table: RecordTable, unit: str, frequency: float | None) -> Reco
     relative, kept = is_logarithmic(unit), rows_above_noise(table.columns["x"])
     if not relative and kept < len(table.columns["x"]):
         hidden = len(table.columns["x"]) - kept
-        table = table.kept(np.arange(kept), f"{hidden} rows at the end, where noise hides the amplitude, left out")
+        table = table.kept(np.arange(kept), f"{many(hidden, 'row')} at the end, 0 or hidden by noise, left out")
     x = amplitudes(table.columns["x"], unit)
     said = (f"amplitudes 10^(L/20) of the levels L in {unit}",) if relative else ()
     notes = tuple(note for note in table.notes if not (relative and "strengths refer to" in note))

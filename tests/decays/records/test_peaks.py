@@ -126,7 +126,7 @@ def test_a_voltage_that_falls_into_its_noise_is_an_envelope_until_there(tmp_path
     true = np.pi * 1.204e6 * 4.2
     for row in answer.to_dict()["envelope"]["quality"]:
         assert float(row["low"]) < true < float(row["high"])
-    assert any("where noise hides the amplitude, left out" in note for note in answer.notes)
+    assert any("0 or hidden by noise, left out" in note for note in answer.notes)
     # Near miss: without a frequency a voltage may swing.
     path.write_text(path.read_text().partition("\n")[2])
     with pytest.raises(InputError):
