@@ -138,17 +138,16 @@ class SpectralLine:
 
     def _sum(self, P: Array, Q: Array, t: Array, order: int) -> Array:
         """A derivative by time of Re(P e^(i w t)) + Re(Q e^(3 i w t))."""
-        total = np.zeros(len(t))
-        scale = 2 / (self.t[-1] - self.t[0])
-        for coefficients, harmonic in ((P, 1), (Q, 3)):
-            c = np.asarray(coefficients, dtype=complex)
-            for _ in range(order):
-                slope = np.zeros_like(c)
-                slope[: len(c) - 1] = np.polynomial.chebyshev.chebder(c, scl=scale)[: len(c) - 1]
-                c = 1j * harmonic * self.omega * c + slope
-            wave = np.exp(1j * harmonic * self.omega * t)
-            total += (np.polynomial.chebyshev.chebval(self._places(t), c) * wave).real
-        return total
+        return self.wave(self.differentiated(P, 1, order), 1, t) + self.wave(self.differentiated(Q, 3, order), 3, t)
+
+    def differentiated(self, c: Array, harmonic: int, order: int) -> Array:
+        """Coefficients of a derivative by time: each is P' + i k omega P."""
+        total, scale = c.astype(complex), 2 / (self.t[-1] - self.t[0])
+        for _ in range(order):
+            slope = np.zeros_like(total)
+            slope[: len(c) - 1] = np.polynomial.chebyshev.chebder(total, scl=scale)[: len(c) - 1]
+            total = 1j * harmonic * self.omega * total + slope
+        return np.asarray(total)
 
 
 def demodulated(t: Array, x: Array, period: float | None = None) -> SpectralLine:

@@ -29,6 +29,10 @@ _FEW, _TYPICAL = 50, 4
 """Of windows with fewer samples the edges differ by their share in one step: several are averaged.  A choice."""
 _NODES = 40
 """Of the integral; with s = u r^3 the fractional powers are smooth enough for 1e-10."""
+LINE_LATENESS = {(1,): 1 / np.pi, (1, 3): 1 / (2 * np.pi)}
+"""The same of a smooth line (``demodulation``) of these harmonics, for dry friction: of its force -sgn(sin u) delta the
+line does not have the sines k = 5, 7, ..., which are (4/pi) delta cos(k u)/(k^2 - 1) in x'/A: at u = 0 the sum of
+1/(k^2 - 1) over odd k > 3 is 1/8, over those > 1 it is 1/4."""
 _STEP = 1e-4
 """Of the exponent, for a derivative by differences: their error is its square."""
 

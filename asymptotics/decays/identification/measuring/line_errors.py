@@ -1,18 +1,21 @@
-"""The amplitudes of a smooth line at its turning times, with the covariance of their errors: they are as smooth as it.
+"""Amplitudes and turning times of a smooth line, with the covariance of their errors: they are as smooth as it.
 
 A line (``demodulation``) of polynomials has errors as smooth as itself, larger at its ends, where nothing holds it on
 one side; and what its degree, the best for the whole record, cannot follow is a bias, largest there too: a decay is
 steepest where it begins.  So the degree is raised by two, until the bias is small beside the noise (undersmoothing),
 and the covariance of the amplitudes, sigma^2 B (V^T V)^(-1) B^T with the columns V of the samples and B those of the
-turning times, goes into what is fitted to them.
+turning times, goes into what is fitted to them.  A turning time is a zero of x': its error is that of x' over -x''.
 
 >>> t = np.arange(0, 40, 0.1)
 >>> x = np.exp(-0.05 * t) * np.cos(t) + 0.01 * np.random.default_rng(0).standard_normal(400)
->>> size, root = line_amplitudes(Samples(t, x, 0.01, 390.0), np.pi * np.arange(12), np.arange(12))
->>> error = np.sqrt((root**2).sum(axis=1))
->>> bool((np.abs(size - np.exp(-0.05 * np.pi * np.arange(12))) < 4 * error).all()), bool(error[0] > 1.5 * error[6])
+>>> turns = line_turns(Samples(t, x, 0.01, 390.0), np.pi * np.arange(12), np.arange(12))
+>>> error = np.sqrt((turns.size_root**2).sum(axis=1))
+>>> off = np.abs(turns.size - np.exp(-0.05 * np.pi * np.arange(12)))
+>>> bool((off < 4 * error).all()), bool(error[0] > 1.5 * error[6])
 (True, True)
 """
+
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -22,10 +25,24 @@ from asymptotics.decays.identification.measuring.observations import Indices, Sa
 
 _MORE, _SPARE = 2, 8
 """Degrees above the best one, and samples that are left for the noise."""
+_STIFF, _NEAR = 0.3, 0.3
+"""The least -x'' at a turning point, beside omega^2 |x|, and how far from a first guess, in radians, it is sought."""
 
 
-def line_amplitudes(samples: Samples, t: Array, n: Indices) -> tuple[Array, Array]:
-    """|x| at turning times of the numbers ``n``, and a root F of the covariance F F^T of its errors, a row for each."""
+@dataclass(frozen=True)
+class LineTurns:
+    """``size``: |x| at the turning points; ``t``: their times; ``size_root``, ``time_root``: roots F of the covariances
+    F F^T of their errors, a row for each; ``harmonics``: of the motion, those that the line has."""
+
+    size: Array
+    size_root: Array
+    t: Array
+    time_root: Array
+    harmonics: tuple[int, ...]
+
+
+def line_turns(samples: Samples, t: Array, n: Indices) -> LineTurns:
+    """The turning points of the numbers ``n`` near the times ``t``."""
     omega = np.pi * float(n[-1] - n[0]) / float(t[-1] - t[0])
     best = fitted_line(samples.t, samples.x, omega)
     harmonics = (1,) if len(best.third) == 1 else (1, 3)
@@ -34,26 +51,37 @@ def line_amplitudes(samples: Samples, t: Array, n: Indices) -> tuple[Array, Arra
         degree += 1
     beside = np.stack([np.ones(len(samples.t)), samples.t - samples.t[0]], axis=1)
     V = np.concatenate([beside, _columns(best, samples.t, degree, harmonics, 0)], axis=1)
-    B = _columns(best, t, degree, harmonics, samples.derivative)
+    x, v, a = (_columns(best, t, degree, harmonics, samples.derivative, order) for order in range(3))
     scale = np.sqrt((V**2).sum(axis=0))
     inverse = np.linalg.pinv(V / scale)[2:] / scale[2:, None]
-    values = B @ (inverse @ samples.x)
+    c = inverse @ samples.x
     loud = density(samples.memory, omega * float(np.median(np.diff(samples.t))))
-    along = np.asarray(np.linalg.qr(inverse.T, mode="r")).T
-    # The amplitudes of a polynomial of degree d have d + 1 errors that are independent: what is beside them is nothing
-    # that a line could follow.
-    left, size, _ = np.linalg.svd(np.sign(values)[:, None] * (B @ along), full_matrices=False)
-    root = (left * size)[:, : degree + 1]
-    return np.abs(values), samples.noise * np.sqrt(loud) * root
+    along, noise = np.asarray(np.linalg.qr(inverse.T, mode="r")).T, samples.noise * np.sqrt(loud)
+    # x'' is -omega^2 x but for the losses, and is never taken for less than a part of that.
+    force = np.sign(a @ c) * np.maximum(np.abs(a @ c), _STIFF * omega**2 * np.abs(x @ c))
+    step = np.clip(-(v @ c) / force, -_NEAR / omega, _NEAR / omega)
+    size_root = noise * _root(np.sign(x @ c)[:, None] * (x @ along), degree)
+    return LineTurns(np.abs(x @ c), size_root, t + step, noise * _root(v @ along / force[:, None], degree), harmonics)
 
 
-def _columns(line: SpectralLine, t: Array, degree: int, harmonics: tuple[int, ...], derivative: int) -> Array:
-    """What each coefficient of the modulation is at times; of a derivative, integrated to the motion."""
+def _root(errors: Array, degree: int) -> Array:
+    """A root of the covariance of errors that are polynomials: of degree d they have d + 1 parts that are independent,
+    and what is beside them is nothing that a line could follow."""
+    left, size, _ = np.linalg.svd(errors, full_matrices=False)
+    return np.asarray((left * size)[:, : degree + 1])
+
+
+def _columns(
+    line: SpectralLine, t: Array, degree: int, harmonics: tuple[int, ...], derivative: int, order: int = 0
+) -> Array:
+    """What each coefficient of the modulation is at times, in a derivative of the motion that is ``order``; of a record
+    that is a ``derivative``, integrated to the motion."""
     found = []
     for harmonic in harmonics:
         for k in range(degree + 1):
             for part in (1.0, -1j):
                 c = np.zeros(degree + 1, dtype=complex)
                 c[k] = part
-                found.append(line.wave(line.integrated(c, harmonic, derivative), harmonic, t))
+                c = line.differentiated(line.integrated(c, harmonic, derivative), harmonic, order)
+                found.append(line.wave(c, harmonic, t))
     return np.stack(found, axis=1)

@@ -22,19 +22,18 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import stdtrit
 
 from asymptotics.decays.identification.fitting.starting import rest_position
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import memory_factor
 from asymptotics.decays.identification.measuring.damped_cosine import FEWEST_SAMPLES, DampedCosine, damped_cosine
 from asymptotics.decays.identification.measuring.few_swings import swings
-from asymptotics.decays.identification.measuring.line_errors import line_amplitudes
+from asymptotics.decays.identification.measuring.late_extremes import LINE_LATENESS
+from asymptotics.decays.identification.measuring.line_errors import LineTurns, line_turns
 from asymptotics.decays.identification.measuring.observations import Indices, Observations, Samples
-from asymptotics.decays.identification.telling.backbone import backbone, period_at
+from asymptotics.decays.identification.telling.backbone import NORMAL, TurningTimes, backbone, mean_period, period_at
 from asymptotics.decays.identification.telling.decline import (
     LEAST,
-    NORMAL,
     Decline,
     Ends,
     decline_of,
@@ -145,23 +144,25 @@ def envelope(seen: Observations) -> MeasuredEnvelope | None:
     # The errors of a level are proportional to it; those of a place are alike.
     alike = 1.0 if seen.spacing is None or not len(seen.sigma_x) else seen.sigma_x[inside] / seen.sigma_x[0]
     known = scatter if seen.spacing is None else 0.0
-    root = None
+    turns = None
     if seen.samples is not None and _is_one_line(seen.samples):
-        size, root = line_amplitudes(seen.samples, seen.t[inside], n)
+        turns = line_turns(seen.samples, seen.t[inside], n)
+        size = turns.size
+    root = None if turns is None else turns.size_root
     decline = decline_of_few(n, size, known) if len(n) < _FEWEST else decline_of(n, size, known, alike, root)
     if decline is None:
         return None
+    times = _turning_times(seen, inside, size, turns, decline) if seen.has_times else None
     ends = np.array([size[0], np.sqrt(size[0] * size[-1]), size[-1]])
     unknown = seen.without_frequency
     quality = () if unknown else tuple(_quality(float(a), decline(float(a)), seen.stride) for a in ends)
-    late = float(np.mean(seen.sigma_t[inside])) if len(seen.sigma_t) else 0.0
-    period = _period(n, seen.t[inside], late) if seen.has_times else None
+    period = None if times is None else _period(times)
     step = None if period is None else period["estimate"]
     if seen.spacing is not None:  # an envelope: n is an artificial clock, and the true period is known
         step = 2 * seen.spacing
         period = None if unknown else dict.fromkeys(("low", "estimate", "high"), step / seen.stride)
     time = seen.time_unit or "s"
-    rows, lasts = _backbone(seen, inside, size, time), _lasts(seen, inside, size, step)
+    rows, lasts = _backbone(times, time), _lasts(None if seen.spacing is not None else times, step)
     life = None if lasts is None else _half_life(decline, size, lasts)
     period, life = (v and {k: e / SECONDS[time] for k, e in v.items()} for v in (period, life))
     by = () if lasts is None else [lasts(float(a)) / SECONDS[time] for a in ends]
@@ -254,25 +255,39 @@ def _last_swing(n: Indices, t: Array) -> int:
     return int(long[0]) if len(long) and long[0] > 0 else len(t) - 1
 
 
-def _backbone(seen: Observations, inside: NDArray[np.bool_], size: Array, time: str) -> tuple[Ends, ...]:
+def _turning_times(
+    seen: Observations, inside: NDArray[np.bool_], size: Array, turns: LineTurns | None, decline: Decline
+) -> TurningTimes:
+    """The turning times with their errors, and how dry friction delays them where they were measured in samples."""
+    n, t, weight = seen.n[inside], seen.t[inside], size / size[0]
+    error = seen.sigma_t[inside] if len(seen.sigma_t) else np.zeros(1)
+    sampled = seen.samples is not None or seen.window is not None
+    if not sampled or len(n) < LEAST:
+        return TurningTimes(n, size, t, float(np.mean(error)))
+    late = 1 / (np.pi * float(n[-1] - n[0]) / float(t[-1] - t[0]) * size)
+    if turns is not None:
+        late = late * LINE_LATENESS[turns.harmonics]
+        return TurningTimes(n, size, turns.t, root=turns.time_root, late=late, friction=decline.friction())
+    # An extreme is found by its curvature, the worse the smaller it is.
+    late = late * (LINE_LATENESS[1, 3] if seen.window is None else seen.window.lateness(0.0))
+    stated = float(np.mean(error * weight))
+    return TurningTimes(n, size, t, stated, weight, late=late, friction=decline.friction())
+
+
+def _backbone(times: TurningTimes | None, time: str) -> tuple[Ends, ...]:
     """T(A) in the file's unit of time, where there are turning times."""
-    if not seen.has_times:
-        return ()
-    error = float(np.mean(seen.sigma_t[inside])) if len(seen.sigma_t) else 0.0
-    rows = backbone(seen.n[inside], size, seen.t[inside], error)
+    rows = [] if times is None else backbone(times)
     return tuple({k: v if k == "amplitude" else v / SECONDS[time] for k, v in row.items()} for row in rows)
 
 
-def _lasts(
-    seen: Observations, inside: NDArray[np.bool_], size: Array, step: float | None
-) -> Callable[[float], float] | None:
+def _lasts(times: TurningTimes | None, step: float | None) -> Callable[[float], float] | None:
     """The time of a half-swing, in which the fall of ln A is told, at an amplitude: of a pendulum it is none for all.
 
     ``step``: the mean period, or that of an artificial clock.
     """
     if step is None:
         return None
-    found = period_at(seen.n[inside], size, seen.t[inside], 0.0) if seen.has_times and seen.spacing is None else None
+    found = None if times is None else period_at(times)
     return (lambda _: step / 2) if found is None else (lambda amplitude: found(amplitude)["estimate"] / 2)
 
 
@@ -296,19 +311,17 @@ def _rate(amplitude: float, fall: Ends, half_swing: float) -> Ends:
     return {"amplitude": amplitude, **{name: value / half_swing for name, value in fall.items()}}
 
 
-def _period(n: Indices, t: Array, stated: float) -> Ends:
+def _period(times: TurningTimes) -> Ends:
     """Twice the slope of the turning times; its chirp widens the interval.  Of two it is that of their errors."""
-    if len(n) == 2:
-        middle = 2 * float(np.diff(t)[0] / np.diff(n)[0])
-        reach = NORMAL * 2**1.5 * stated / float(n[1] - n[0]) if stated else np.nan
-    else:
-        line, deviation = np.polyfit(n, t, 1, cov=True)
-        reach = 2 * float(np.sqrt(deviation[0, 0])) * float(stdtrit(len(n) - 2, 0.975))
-        middle = 2 * float(line[0])
+    n, t = times.n, times.t
+    if len(n) > 2:
+        return mean_period(times)
+    middle = 2 * float(np.diff(t)[0] / np.diff(n)[0])
+    reach = NORMAL * 2**1.5 * times.stated / float(n[1] - n[0]) if times.stated else np.nan
     return {"low": middle - reach, "estimate": middle, "high": middle + reach}
 
 
-def _half_life(decline: Decline, size: Array, lasts: Callable[[float], float]) -> Ends:
+def _half_life(decline: Callable[[float], Ends], size: Array, lasts: Callable[[float], float]) -> Ends:
     """The time in which ln A falls by ln 2; below the last amplitude as there."""
     grid = np.linspace(log(size[0] / 2), log(size[0]), _GRID)
     places = [max(float(np.exp(s)), float(size.min())) for s in grid]

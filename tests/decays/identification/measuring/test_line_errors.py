@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asymptotics.decays.identification.measuring import line_errors as module
-from asymptotics.decays.identification.measuring.line_errors import line_amplitudes
+from asymptotics.decays.identification.measuring.line_errors import line_turns
 from asymptotics.decays.identification.measuring.observations import Samples
 from asymptotics.decays.identification.sources import load
 from asymptotics.decays.identification.telling.envelope import envelope
@@ -20,7 +20,8 @@ SIGMA = 0.01
 
 
 def amplitudes(x, **more):
-    return line_amplitudes(Samples(T, x, SIGMA, 250.0, **more), TURNS, N)
+    found = line_turns(Samples(T, x, SIGMA, 250.0, **more), TURNS, N)
+    return found.size, found.size_root
 
 
 def noises(count, rho=0.0):

@@ -6,7 +6,7 @@ from scipy.special import ellipk
 
 import asymptotics as asy
 from asymptotics.decays.identification.measuring.observations import Observations
-from asymptotics.decays.identification.telling.backbone import backbone
+from asymptotics.decays.identification.telling.backbone import TurningTimes, backbone
 from asymptotics.decays.identification.telling.envelope import envelope
 
 
@@ -33,7 +33,7 @@ def decay(period, seed, noise=0.01, count=50):
 def test_the_intervals_cover(period):
     hits, widths = [], []
     for seed in range(60):
-        for row in backbone(*decay(period, seed), 0.0):
+        for row in backbone(TurningTimes(*decay(period, seed))):
             hits.append(row["low"] < period(row["amplitude"]) < row["high"])
             widths.append(row["high"] / row["low"] - 1)
     # Near miss: an interval that holds everything would be no interval.

@@ -9,6 +9,7 @@ from scipy.stats import t as student
 from asymptotics.decays.identification.measuring.observations import Observations, Samples
 from asymptotics.decays.identification.telling import decline
 from asymptotics.decays.identification.telling import envelope as module
+from asymptotics.decays.identification.telling.backbone import TurningTimes
 from asymptotics.decays.identification.telling.envelope import MeasuredEnvelope, envelope
 
 N = np.arange(40)
@@ -145,7 +146,9 @@ def test_the_period_is_twice_the_slope_of_the_times(count):
     c = np.linalg.lstsq(V, t, rcond=None)[0]
     s2 = ((t - V @ c) ** 2).sum() / (count - 2)
     reach = 2 * student.ppf(0.975, count - 2) * np.sqrt(s2 * np.linalg.inv(V.T @ V)[0, 0])
-    assert ends(module._period(n, t, 0.0)) == pytest.approx([2 * c[0] - reach, 2 * c[0], 2 * c[0] + reach])
+    assert ends(module._period(TurningTimes(n, np.ones(count), t))) == pytest.approx(
+        [2 * c[0] - reach, 2 * c[0], 2 * c[0] + reach]
+    )
 
 
 def test_a_half_swing_that_lasts_longer_is_rest():
