@@ -66,7 +66,14 @@ def half_swings(
         stop.terminal, stop.direction = True, -1  # type: ignore[attr-defined]
         kick = [at, way * 1e-13 * abs(start)]
         found = solve_ivp(
-            force, (now, now + 60), kick, events=stop, rtol=1e-10, atol=1e-12 * abs(start), dense_output=True
+            force,
+            (now, now + 60),
+            kick,
+            events=stop,
+            rtol=1e-10,
+            atol=1e-12 * abs(start),
+            dense_output=True,
+            method="DOP853",
         )
         yield now, float(found.t[-1]), found.sol
         now, at = float(found.t[-1]), float(found.y[0, -1])

@@ -197,7 +197,7 @@ DOOR = {"asymptotics/numbers/context.py", "asymptotics/numbers/decimal_context.p
 LOOKED_UP = {  # caches of what no precision enters: files, parsers, formulas as text, numbers of doubles
     "asymptotics/made_by.py", "asymptotics/ask/typed.py", "asymptotics/ask/question.py", "asymptotics/papers/lookup.py",
     "asymptotics/papers/derived.py", "asymptotics/papers/documented.py", "asymptotics/papers/stored.py",
-    "asymptotics/present/mathml.py",
+    "asymptotics/present/mathml.py", "asymptotics/decays/identification/measuring/damped_cosine.py",
 }  # fmt: skip
 CACHES = {"cache", "lru_cache", "cached_property"}
 SETS = {"prec", "cap", "dps"}

@@ -7,6 +7,7 @@ import pytest
 from asymptotics.errors import InputError
 from asymptotics.papers.lookup import SHORTFALLS, find, paper, papers, statements
 from asymptotics.shell.main import main
+from paper_checks import data
 from paper_checks.data import DATA, written
 from paper_checks.registry import PAPERS, load
 from tests.each import each
@@ -14,6 +15,18 @@ from tests.each import each
 
 def test_the_data_are_those_of_the_registry():
     assert DATA.read_text(encoding="utf-8") == written(), "run python -m paper_checks --data"
+
+
+def test_pages_that_a_target_writes_are_no_part_of_them(tmp_path, monkeypatch):
+    """After `make benchmarks` the test above failed, for docs/benchmarks.md stood there."""
+    for name in ("benchmarks.md", "reference/motion.md", "auto_gallery/plot.md", "symbols.md"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("# Title\n\n## Heading\n")
+    monkeypatch.setattr(data, "DOCS", tmp_path)
+    assert [page["page"] for page in data.doc_records()] == ["symbols"]
+    ignored = (data.ROOT / ".gitignore").read_text().split()
+    written_there = {line.removeprefix("docs/").rstrip("/*.") for line in ignored if line.startswith("docs/")}
+    assert {name for name in written_there if not name.endswith(".rst")} <= {*data.UNREAD}
 
 
 def test_every_statement_is_there():

@@ -21,9 +21,9 @@ PROGRAMS = {
 WRITERS = {
     **PROGRAMS,
     "tables": ["-m", "asymptotics.shell.standard_tables", "build/tables"],
-    "benchmarks": ["-m", "benchmarks", "smith-rows"],
+    "benchmarks": ["-m", "benchmarks", "smith-rows", "--no-peers"],
 }
-ANSWERING = {**PROGRAMS, "benchmarks": ["-m", "benchmarks", "smith-rows", "--size", "8"]}
+ANSWERING = {**PROGRAMS, "benchmarks": ["-m", "benchmarks", "smith-rows", "--no-peers", "--size", "8"]}
 
 
 def shell(line: str, **options: object) -> subprocess.CompletedProcess[str]:

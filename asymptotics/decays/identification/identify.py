@@ -44,6 +44,7 @@ from asymptotics.decays.identification.telling.law_answer import LawAnswer
 from asymptotics.decays.identification.telling.record_units import RecordUnits
 from asymptotics.decays.identification.telling.result import Identification, sorted_laws
 from asymptotics.decays.identification.telling.runs import common, verdict_of_runs
+from asymptotics.decays.identification.telling.unnamed_angle import unnamed_angle
 from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, NONE, SEVERAL, UNDECIDED, Verdict, verdict_of
 from asymptotics.decays.identification.textbook import textbook_estimates
 from asymptotics.decays.records.sources import How
@@ -229,6 +230,7 @@ def _one_run(
     notes += [
         *_untried(laws),
         *_lengths(laws),
+        *unnamed_angle(sorted_laws(laws)[0], units.shown),
         *_memory(laws),
         *_mode(laws),
         *_another_frequency(laws, units),

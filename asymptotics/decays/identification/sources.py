@@ -25,6 +25,7 @@ from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.table import RecordTable, read_table
 from asymptotics.errors import InputError, LimitError
+from asymptotics.present.counts import many
 
 LEAST_POINTS, _FEWEST_POINTS = 4, 2
 """First amplitude and a strength leave two data of four: fewer turning points tell no law from another; two tell Q."""
@@ -97,11 +98,11 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
     wild = spikes(x)
     if wild.any():
         first = rows.where(int(np.argmax(wild)), column)
-        notes = (*notes, f"{int(wild.sum())} samples far from their neighbours left out, the first is {first}")
+        notes = (*notes, f"{many(int(wild.sum()), 'sample')} far from their neighbours left out, the first is {first}")
         t, x, rows = t[~wild], x[~wild], rows.kept(np.flatnonzero(~wild))
     said = (*run.notes, *notes, *sensor_notes(t, x))
     parts, found = releases(t, x), list[Observations]()
-    swinging = _swinging(t, x, run)  # at rest the swings are those of noise, which rise and fall
+    swinging = _swinging(t, x)  # at rest the swings are those of noise, which rise and fall
     beat = near_modes(t[swinging], x[swinging])
     if beat is not None:
         # A weaker one is measured and taken off, or stays in what the laws leave: the motion is one decay still.
@@ -116,6 +117,8 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
             told = (*said, f"{stretch}: the rest is held or touched")
         if len(parts) > 1:
             told = (*said, f"released again: run {number} of {len(parts)}, {stretch}; held or touched between")
+            if number == 1 and places[0] > 0:
+                told = (*told, f"what comes before t = {t[places[0]]:.6g} is held, or too short a release: not used")
             own = replace(own, name=f"{rows.name} (release {number})")
         try:
             found.append(_decay(t[places], x[places], run, own, told, modes))
@@ -146,7 +149,7 @@ def _decay(
     t: Array, x: Array, run: RecordTable, rows: RowPlaces, notes: tuple[str, ...], modes: int = 1
 ) -> Observations:
     if modes > 1 and len(t) >= LEAST_SAMPLES and np.ptp(x) > 0:
-        kept = _swinging(t, x, run)
+        kept = _swinging(t, x)
         return with_mode_beside(t[kept], x[kept], unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
     # Within each release: a line has its own phase and size in each of them.
     whole = t
@@ -162,20 +165,22 @@ def _decay(
             return short
     x, lines = without_second_modes(t, x)
     notes = (*notes, *lines)
+    swinging = _swinging(t, x)
+    rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
     if _order(run) == 0:
-        swinging = _swinging(t, x, run)
-        rows, t, x = rows.kept(np.arange(len(t))[swinging]), t[swinging], x[swinging]
         seen = _beside(slow, observations_of_record(t, x, unit=run.unit, rows=rows, whole_motion=slow is not None))
         return replace(seen, notes=(*notes, *seen.notes, *_tail(whole, seen)))
     if len(t) < LEAST_SAMPLES:
         raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
-    seen = observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
-    return _beside(slow, seen)
+    seen = _beside(
+        slow, observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
+    )
+    return replace(seen, notes=(*seen.notes, *_tail(whole, seen)))
 
 
-def _swinging(t: Array, x: Array, run: RecordTable) -> slice:
-    """The samples of a place before it rests; all of a velocity or an acceleration, of few samples and of one value."""
-    some = _order(run) == 0 and len(t) >= LEAST_SAMPLES and np.ptp(x) > 0
+def _swinging(t: Array, x: Array) -> slice:
+    """The samples before the rest; all of few samples and of one value."""
+    some = len(t) >= LEAST_SAMPLES and np.ptp(x) > 0
     return moving(t, x, dominant_period(t, x)) if some else slice(None)
 
 
@@ -183,7 +188,8 @@ def _beside(slow: SlowBaseLine | None, seen: Observations) -> Observations:
     """The base line that was taken off is fitted once more beside every law: what it costs the intervals is in them."""
     if slow is None or seen.samples is None:
         return seen
-    return replace(seen, samples=replace(seen.samples, slow=slow.columns(seen.samples.t)))
+    columns, size = slow.columns(seen.samples.t), float(np.abs(slow.values).max())
+    return replace(seen, samples=replace(seen.samples, slow=columns, wander=size))
 
 
 def _tail(t: Array, seen: Observations) -> list[str]:
@@ -245,7 +251,7 @@ def _require_few(swings: float, where: str) -> None:
 
 def _require_points(x: Array, rows: RowPlaces, notes: tuple[str, ...]) -> None:
     if len(x) < _FEWEST_POINTS:
-        shown = "1 turning point" if len(x) == 1 else f"{len(x)} turning points"
+        shown = many(len(x), "turning point")
         reason = "; ".join([f"{rows.name} has {shown}", *notes])
         raise InputError("FILE", reason, f"at least {_FEWEST_POINTS}")
     if not np.ptp(np.abs(x)) > 0:

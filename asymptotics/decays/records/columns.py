@@ -40,8 +40,8 @@ OPTIONAL = {
 }
 
 _WORDS = {
-    "time": "t time zeit tau temps tiempo tempo timestamp zeitstempel uhrzeit datetime x_value clock elapsed seconds "
-    "sekunden millis micros",
+    "time": "t time zeit tau temps tiempo tempo timestamp stamp zeitstempel uhrzeit datetime x_value clock elapsed "
+    "seconds sekunden millis micros",
     "position": "x y z position pos displacement phi theta angle angular winkel auslenkung roll pitch elongation weg "
     "deflection distance \N{GREEK SMALL LETTER THETA} \N{GREEK SMALL LETTER THETA}r \N{GREEK SMALL LETTER PHI}",
     "velocity": "v velocity speed omega gyroscope gyro geschwindigkeit winkelgeschwindigkeit vx vy vz rate "

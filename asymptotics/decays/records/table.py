@@ -31,6 +31,7 @@ from asymptotics.decays.records.peaks import (
     is_envelope,
     never_swings,
     peaks_of_one_side,
+    rows_above_noise,
     turns,
 )
 from asymptotics.decays.records.rows import RowPlaces
@@ -48,6 +49,7 @@ from asymptotics.decays.records.units import (
     unit_of,
 )
 from asymptotics.errors import InputError, require_choice
+from asymptotics.present.counts import many
 
 Array = NDArray[np.float64]
 MAX_SIZE = 1e60
@@ -88,9 +90,8 @@ class RecordTable:
         if keep.all():
             return self
         first, missing = int(np.argmin(keep)), int((~keep).sum())
-        many = "1 row" if missing == 1 else f"{missing} rows"
-        note = f"{many} with a missing cell (empty, nan, n/a) left out, the first is row {self.rows.row(first)}"
-        return self.kept(keep, note)
+        left = f"{many(missing, 'row')} with a missing cell (empty, nan, n/a) left out"
+        return self.kept(keep, f"{left}, the first is row {self.rows.row(first)}")
 
 
 def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | None = None) -> RecordTable:
@@ -193,7 +194,11 @@ def _as_amplitudes(table: RecordTable, name: str, frequency: float | None) -> Re
 
 def _as_envelope(table: RecordTable, unit: str, frequency: float | None) -> RecordTable:
     """Levels or amplitudes at times, as the amplitudes of a ring-down."""
-    x, relative = amplitudes(table.columns["x"], unit), is_logarithmic(unit)
+    relative, kept = is_logarithmic(unit), rows_above_noise(table.columns["x"])
+    if not relative and kept < len(table.columns["x"]):
+        hidden = len(table.columns["x"]) - kept
+        table = table.kept(np.arange(kept), f"{many(hidden, 'row')} at the end, 0 or hidden by noise, left out")
+    x = amplitudes(table.columns["x"], unit)
     said = (f"amplitudes 10^(L/20) of the levels L in {unit}",) if relative else ()
     notes = tuple(note for note in table.notes if not (relative and "strengths refer to" in note))
     columns = {"t": table.columns["t"], "x": x}
@@ -285,8 +290,7 @@ def _readable(table: RecordTable, unread: Unread, given: Source) -> RecordTable:
         raise InputError("FILE", reason, "numbers; or say --decimal , or --decimal . or --skip LINES or --columns")
     keep = np.ones(count, dtype=bool)
     keep[sorted(bad)] = False
-    many = "1 row that cannot be read" if len(bad) == 1 else f"{len(bad)} rows that cannot be read"
-    return table.kept(keep, f"{many} left out, the first is {where}")
+    return table.kept(keep, f"{many(len(bad), 'row')} that cannot be read left out, the first is {where}")
 
 
 def _in_units(table: RecordTable, choice: Choice, given: Source, unit: str, time: str) -> RecordTable:

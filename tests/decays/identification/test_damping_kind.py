@@ -4,10 +4,12 @@ import io
 import json
 import math
 
+import numpy as np
 import pytest
 
 import asymptotics as asy
 from asymptotics.ask.questions._damping_law import damping_law
+from asymptotics.errors import InputError
 from asymptotics.shell.main import main
 
 A, ZETA = ["0.1", "0.2", "0.4", "0.8"], [0.0120, 0.0141, 0.0178, 0.0261]
@@ -100,3 +102,41 @@ def test_a_record_beside_a_force_sensor_stays_a_record(tmp_path):
 def test_an_error_of_a_phase_that_is_not_used_is_told():
     table = {**FORCED, "phase_resolution": [0.01] * 4}
     assert any("not used: phase_resolution" in note for note in asy.identify(table, laws=["1"]).notes)
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "theta (deg);zeta",
+        "roll angle (deg);zeta (-);sd zeta",
+        "A (deg);zeta (%);u(zeta) (%)",
+        "Amplitude [deg];D\xe4mpfungsgrad [%];Fehler D\xe4mpfungsgrad",
+        "phi [deg];damping ratio (%);+/-",
+        "phi [deg];u(phi);zeta",
+    ],
+)
+def test_a_table_of_damping_with_the_names_that_people_give(tmp_path, header):
+    """A column of places beside a ratio is its amplitude; its errors are the resolution, in its unit."""
+    names = header.split(";")
+    percent = 100 if "%" in names[1] else 1
+    rows = []
+    for i, angle in enumerate((40, 30, 20, 15, 10, 5)):
+        zeta = 0.005 + 4 / (3 * np.pi) * 0.05 * np.radians(angle)
+        of_angle = names[1] == "u(phi)"
+        cells = [angle, 0.5, zeta] if of_angle else [angle, percent * (zeta + 2e-5 * (-1) ** i), percent * 2e-5]
+        rows.append(";".join(f"{cell:.6g}" for cell in cells[: len(names)]))
+    path = tmp_path / "table.csv"
+    path.write_text("\n".join([header, *rows]), encoding="utf-8")
+    found = asy.identify(path, laws=["1", "1+2"])
+    (e1, e2) = found.law("1+2").strengths
+    assert e1.low < 0.01 < e1.high and e2.low < 0.05 < e2.high
+    assert found.law("1+2").grade == "consistent" and found.law("1").grade != "consistent"
+    told = any("no resolutions" in note for note in found.notes)
+    assert told == (len(names) == 2 or names[1] == "u(phi)")
+
+
+def test_two_places_beside_a_ratio_are_asked_for(tmp_path):
+    path = tmp_path / "two.csv"
+    path.write_text("x (cm);y (cm);zeta\n1;2;0.01\n2;3;0.02\n3;4;0.03\n")
+    with pytest.raises(InputError):
+        asy.identify(path)

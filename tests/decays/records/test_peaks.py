@@ -112,3 +112,22 @@ def test_maxima_before_the_minima_are_sorted_by_time():
     table = read_table({"t": t[order], "theta (rad)": x[order]})
     assert table.kind == "turning-points" and np.array_equal(table.columns["x"], x)
     assert np.array_equal(table.columns["tau"], t) and any("sorted by time" in note for note in table.notes)
+
+
+def test_a_voltage_that_falls_into_its_noise_is_an_envelope_until_there(tmp_path):
+    """Its frequency says that it shows no swing; a few values below 0 made it a motion, which was refused as none."""
+    t = np.arange(0, 30, 0.05)
+    volts = 3.1 * np.exp(-t / 4.2) + 0.004 * np.random.default_rng(3).standard_normal(len(t))
+    assert (volts < 0).any()
+    path = tmp_path / "ringdown.txt"
+    path.write_text("f0 = 1.204 MHz\nt/s\tU/mV\n" + "\n".join(f"{a:.3f}\t{b:.5f}" for a, b in zip(t, volts)))
+    answer = asy.identify(path, laws=["1", "2"])
+    assert answer.verdict.kind == "identified" and str(answer.best.law.candidate) == "1"
+    true = np.pi * 1.204e6 * 4.2
+    for row in answer.to_dict()["envelope"]["quality"]:
+        assert float(row["low"]) < true < float(row["high"])
+    assert any("0 or hidden by noise, left out" in note for note in answer.notes)
+    # Near miss: without a frequency a voltage may swing.
+    path.write_text(path.read_text().partition("\n")[2])
+    with pytest.raises(InputError):
+        asy.identify(path, laws=["1", "2"])

@@ -64,6 +64,7 @@ def test_two_releases_with_holds_are_two_runs():
     told = [n for n in answer.notes if "released again: run" in n]
     assert len(told) == 2
     assert "held or touched between" in told[0]
+    assert any("what comes before t = " in n and "not used" in n for n in answer.notes)
 
 
 def test_a_knock_ends_one_decay_and_begins_another():

@@ -109,6 +109,19 @@ class WaveformModel(Model):
             x = x + beside
         return self._white(x), self._white(slopes)
 
+    def base_line(self, theta: Array) -> Array:
+        """Offset, drift and what wanders beside them, at the samples: of the columns those that the fit absorbs."""
+        line = theta[self.after] + theta[self.after + 1] * self._u
+        if self.samples.slow is None:
+            return np.asarray(line)
+        slow, self._slow = self._slow, None
+        try:
+            left = self._innovations(self.samples.x) - self.predict(theta)[0]
+        finally:
+            self._slow = slow
+        columns = self._innovations(self.samples.slow)
+        return np.asarray(line + self.samples.slow @ np.linalg.lstsq(columns, left, rcond=None)[0])
+
     def measured_sizes(self, theta: Array) -> tuple[Indices, Array, Array]:
         """(n, amplitude, its standard error) at the turning points with samples of half a swing on both sides.
 

@@ -17,10 +17,12 @@ amplitude sinks into the noise.  What was discarded is said in ``notes``.
 """
 
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from asymptotics.decays.identification.forward.coefficients import Array
+from asymptotics.decays.identification.measuring.counted_swings import EXACT, half_swings_between, start_of_freedom
 from asymptotics.decays.identification.measuring.defects import shape_notes, usable
 from asymptotics.decays.identification.measuring.few_swings import observations_of_few_swings
 from asymptotics.decays.identification.measuring.late_extremes import DEGREE, Window
@@ -33,14 +35,14 @@ from asymptotics.decays.records.table import RecordTable
 from asymptotics.decays.records.units import UNITS
 from asymptotics.errors import InputError
 from asymptotics.numbers.quantities import ANGLES
+from asymptotics.present.counts import many
 
 _RECORD = RowPlaces("the record")
 _WINDOW, _WIDEST, _SAMPLES = 0.11, 0.26, 4.6
 """Half-width of a local fit, in periods: 0.7 rad, where a polynomial of degree 6 follows a cosine to 1e-7.  Where the
 samples are few it is nine of them, which the fit needs, up to a quarter of a period, where it follows to 1e-5."""
-_EXACT, _COARSE = 5e-5, 2e-4
-"""What the narrowest and the widest local fit leave without noise, as shares of the amplitude and of 1/omega: measured
-with losses of exponents 0 to 3."""
+_COARSE = 2e-4
+"""What the widest local fit leaves without noise, as ``EXACT`` of the narrowest."""
 _LEAST_SAMPLES = 22
 """Samples a period below which extremes cannot be fitted."""
 # Below this the spectrum and the lobes are too coarse: the motion is fitted.
@@ -58,6 +60,8 @@ _LEAST_EXTREMES, _SCARCE, _LOUD = 4, 8, 0.02
 fitted however short the record is: a local polynomial loses such extremes, or moves them."""
 # Nine tenths of the gaps must be below twice the usual one, or a window has too few samples somewhere.
 _UNEVEN = 2.0
+_FOUND = 0.75
+"""Of the extremes: below this share the usual gap between two of them would soon be two half-swings.  A choice."""
 _FEW = 1.0
 """Extremes a period (there are two) below which a line is taken off before the passages are sought."""
 # Binomial weights: the alternating part cancels up to its fourth difference, in short records up to the second.
@@ -103,7 +107,7 @@ def observations_of_record(
     if per_period < (_SPARSE if uneven else _LEAST_SAMPLES):
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     found, base = _about_base_line(t, x, period)
-    if len(found.x) < 4:
+    if len(found.x) < 4 or _is_full_of_gaps(found, period):
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     # A drift below three errors is removed all the same, but not worth telling.
     if abs(base[1]) * (t[-1] - t[0]) > 3 * np.median(found.sigma_x):
@@ -116,7 +120,7 @@ def observations_of_record(
         return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=table.notes, period=period)
     if len(chosen) < _LEAST_EXTREMES:
         free = t >= (found.t[chosen[0]] if len(chosen) else t[0])
-        kept = (*table.notes, *discarded, f"only {len(chosen)} turning points form a free decay")
+        kept = (*table.notes, *discarded, f"of a free decay only {many(len(chosen), 'turning point')}")
         return observations_of_few_swings(t[free], x[free], unit=unit, name=name, notes=kept)
     # Windows of nine samples for seven coefficients throw most of a sparse record away: noise that is seen is enough.
     sparse = per_period < _SAMPLES / _WINDOW
@@ -139,7 +143,7 @@ def observations_of_record(
         error = np.full(len(seen.n), found.noise)
         return replace(seen, samples=samples, notes=(*seen.notes, far), sigma_x=error, sigma_t=error / seen.reference)
     half = _half_width(t, period)
-    floor = float(np.interp(half / period, (_WINDOW, _WIDEST), (_EXACT, _COARSE)))
+    floor = float(np.interp(half / period, (_WINDOW, _WIDEST), (EXACT, _COARSE)))
     free = (t >= seen.t[0]) & (t <= seen.t[-1])
     record = t[free], (x - base[0] - base[1] * (t - t[0]))[free]
     return replace(seen, window=Window.of(t, seen.t, half, 2 * np.pi / period), floor=floor, record=record)
@@ -178,7 +182,7 @@ def _about_base_line(t: Array, x: Array, period: float) -> tuple[_Points, Array]
 def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: float) -> _Points:
     """The extremes with their values at the times of a smooth curve through all turning times (``quiet_times``)."""
     times = quiet_times(
-        found.t[chosen], found.x[chosen], found.sigma_t[chosen], found.passage_t, _steps(found.t[chosen])
+        found.t[chosen], found.x[chosen], found.sigma_t[chosen], found.passage_t, half_swings_between(found.t[chosen])
     )
     if times is None:
         return found
@@ -319,14 +323,14 @@ def _base_line(found: _Points, start: float) -> Array:
 
 def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
     """Indices of the free decay: from the largest turning point to the first that the noise hides."""
-    size, notes = np.abs(found.x), []
+    size, notes, turning = np.abs(found.x), [], partial(many, thing="turning point")
     first = int(np.argmax(size >= size.max() - 4 * float(np.median(found.sigma_x))))  # noise alone makes none larger
     if first > len(size) // 2:  # a growing record: nothing to cut off
         first = 0
     else:
-        started = _start_of_freedom(found.t[first:])
+        started = start_of_freedom(found.t[first:])
         if started:
-            notes.append(f"{started} turning points after the release, with disturbed durations, left out")
+            notes.append(f"{turning(started)} after the release, with disturbed durations, left out")
         first += started
     # Below five standard errors an extreme is chosen by its noise.
     hidden = np.flatnonzero(size[first:] < 5 * found.sigma_x[first:])
@@ -334,15 +338,21 @@ def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
     chosen = np.arange(first, last)
     # Signs alternate over an odd number of half-swings; where they do not, one was lost or invented.
     side = np.sign(found.x[chosen])
-    same = np.flatnonzero((side[1:] * side[:-1] >= 0) != (_steps(found.t[chosen]) % 2 == 0))
+    same = np.flatnonzero((side[1:] * side[:-1] >= 0) != (half_swings_between(found.t[chosen]) % 2 == 0))
     if len(same):
         chosen = chosen[: same[0] + 1]
         notes.append(f"from t = {found.t[chosen[-1]]:.6g} on, extremes do not alternate: left out")
     if first:
-        notes.append(f"{first} turning points in all before t = {found.t[first]:.6g} left out: forced or released")
+        notes.append(f"{turning(first)} in all before t = {found.t[first]:.6g} left out: forced or released")
     if last < len(size):
-        notes.append(f"{len(size) - last} turning points hidden by noise (t > {found.t[last - 1]:.6g}) left out")
+        notes.append(f"{turning(len(size) - last)} hidden by noise (t > {found.t[last - 1]:.6g}) left out")
     return chosen, notes
+
+
+def _is_full_of_gaps(found: _Points, period: float) -> bool:
+    """Whether cells that are missing here and there leave so few of the extremes that they cannot be counted."""
+    loud = found.t[np.abs(found.x) > 5 * found.sigma_x]
+    return len(loud) > 1 and len(loud) - 1 < _FOUND * (loud[-1] - loud[0]) / (period / 2)
 
 
 def _is_scarce(found: _Points, chosen: Indices, x: Array) -> bool:
@@ -353,36 +363,10 @@ def _is_scarce(found: _Points, chosen: Indices, x: Array) -> bool:
     return len(chosen) < _SCARCE and min(found.noise, scatter) > _LOUD * float(np.abs(found.x).max())
 
 
-def _steps(t: Array) -> Array:
-    """How many half-swings lie between successive extremes: 1, but across a gap as many as its length holds."""
-    half = np.diff(t)
-    return np.asarray(np.maximum(np.round(half / np.median(half)), 1.0)) if len(half) else half
-
-
-def _start_of_freedom(t: Array) -> int:
-    """How many of the first half periods do not lie on the line through the next eight: the hand is still there."""
-    # Across an extreme that was not found are two half periods, and the middle of both is half a swing later.
-    steps = _steps(t)
-    half, middle = np.diff(t) / steps, np.cumsum(steps) - steps / 2
-    # The latest of the first three that is disturbed takes those before it along.
-    for first in (2, 1, 0):
-        following, k = half[first + 1 : first + 9], middle[first + 1 : first + 9]
-        if len(following) < 8:
-            continue
-        line = np.polynomial.Polynomial.fit(k, following, 1)
-        # Eight half periods less the two coefficients of the line.
-        scatter = float(np.sqrt(np.mean((following - line(k)) ** 2) * 8 / 6))
-        # Five of its scatter, extrapolated by one: chance hardly does that, and a hand does; less than what the local
-        # fits themselves leave is no hand.
-        if abs(half[first] - line(middle[first])) > max(5 * scatter, _EXACT * float(np.median(half)) / np.pi):
-            return first + 1
-    return 0
-
-
 def _assembled(found: _Points, chosen: Indices, unit: str, name: str, notes: list[str]) -> Observations:
     """Numbers by the clock, so that a gap in the record is a gap in n; passages between the chosen extremes."""
     t = found.t[chosen]
-    steps = _steps(t)
+    steps = half_swings_between(t)
     n = np.concatenate([[0], np.cumsum(steps)]).astype(int)
     inside = (found.passage_t > t[0]) & (found.passage_t < t[-1])
     p, s = found.passage_t[inside], found.sigma_passage[inside]

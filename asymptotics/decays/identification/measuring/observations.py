@@ -24,7 +24,8 @@ class Samples(Alike):
     """The motion as it was sampled, or a ``derivative`` of it; ``noise`` about a smooth line, with its degrees of
     ``freedom``, and its ``memory``, the correlation of neighbours; ``mode``: where the fit of a second mode begins, its
     cosine and sine at the first sample, its frequency and its rate of decay (empty: there is none); ``slow``: columns
-    of which any sum is fitted beside every law, those of a base line that wanders (None: there are none)."""
+    of which any sum is fitted beside every law, those of a base line that wanders by up to ``wander`` (None: there are
+    none)."""
 
     t: Array
     x: Array
@@ -34,6 +35,7 @@ class Samples(Alike):
     derivative: int = 0
     mode: tuple[float, ...] = ()
     slow: Array | None = None
+    wander: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)

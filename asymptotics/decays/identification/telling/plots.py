@@ -32,11 +32,16 @@ _ALIKE = 0.5
 """Curves that lie within this share of their bands of each other are one to the eye, and are drawn as one."""
 
 
+def drawn_run(answer: Any) -> Any:
+    """What is drawn: of several runs the first."""
+    return answer.per_run[0] if answer.per_run else answer
+
+
 def shown_laws(answer: Any) -> list[Judged]:
-    """The laws of the verdict that are drawn; InputError for several runs or printed decrements (no sequence), and
-    where no law is fitted."""
+    """The laws of the verdict that are drawn; InputError for printed decrements (no sequence), and where no law is
+    fitted."""
     laws = [found.law for found in answer.laws if found.law.fit is not None and found.law.fit.model.alternating]
-    if answer.per_run or not laws:
+    if not laws:
         if len(answer.runs) == 1 and isinstance(answer.runs[0], Observations):
             raise InputError("plot", "no law is fitted: there is no curve", "a record that may tell laws apart")
         raise InputError("plot", "there is no single run of turning points to draw", "one record or turning points")
@@ -45,8 +50,9 @@ def shown_laws(answer: Any) -> list[Judged]:
 
 
 def draw_panels(answer: Any, axes: Any) -> None:
-    """The panels in the place of ``axes``, the verdict above them."""
-    shown, figure, place = shown_laws(answer), axes.figure, axes.get_subplotspec()
+    """The panels of one run in the place of ``axes``, the verdict above them."""
+    one = drawn_run(answer)
+    shown, figure, place = shown_laws(one), axes.figure, axes.get_subplotspec()
     if place is None:
         raise InputError("ax", "these axes are not in a grid that could be divided", "axes of plt.subplots()")
     timed = _fit_of(shown[0]).model.seen.has_times
@@ -54,14 +60,15 @@ def draw_panels(answer: Any, axes: Any) -> None:
     axes.set_subplotspec(grid[0, 0])
     wide = (1, slice(1, None))
     classical, residuals, profile = (figure.add_subplot(grid[k]) for k in ((0, 1), (1, 0), wide))
-    said = [line for text in (answer.verdict.text, answer.quality_in_words) for line in wrap(text, 110)]
+    which = f"drawn: the first of {len(answer.per_run)} runs, {one.runs[0].name}" if one is not answer else ""
+    said = [line for text in (answer.verdict.text, answer.quality_in_words, which) for line in wrap(text, 110)]
     figure.suptitle("\n".join(said), fontsize=11)
-    _decay(axes, shown[0], answer.units.shown)
-    draw_decrements(classical, shown, answer.units.shown)
+    _decay(axes, shown[0], one.units.shown)
+    draw_decrements(classical, shown, one.units.shown)
     _residuals(residuals, shown[0])
     _profile(profile, shown[0])
     if timed:
-        draw_backbone(figure.add_subplot(grid[0, 2]), shown, answer.units.shown)
+        draw_backbone(figure.add_subplot(grid[0, 2]), shown, one.units.shown)
 
 
 def _fit_of(law: Judged) -> Fit:
@@ -84,8 +91,9 @@ def _decay(axes: Any, law: Judged, unit: str) -> None:
         if seen.samples is not None and seen.samples.derivative == 0:
             t = seen.samples.t
             axes.plot(t / scale, seen.samples.x, ".", markersize=2, color="0.6", label=f"{len(t)} samples")
-            # About a base line that may be inclined.
-            centre = fit.theta[model.after] + fit.theta[model.after + 1] * (place * scale - t[0]) / (t[-1] - t[0])
+            # About a base line that may be inclined, and wander.
+            if isinstance(model, WaveformModel):
+                centre = np.interp(place * scale, t, model.base_line(fit.theta))
             axes.set_xlim(t[0] / scale, t[-1] / scale)
         elif seen.record is not None:  # the turning points are fitted, and these are where they come from
             step = -(-len(seen.record[0]) // _DOTS)

@@ -14,7 +14,7 @@ from asymptotics.decays.identification.telling.envelope import MeasuredEnvelope,
 from asymptotics.decays.identification.telling.equivalents import equivalent, equivalent_texts, number_text
 from asymptotics.decays.identification.telling.in_words import in_words
 from asymptotics.decays.identification.telling.law_answer import LETTERS, LawAnswer
-from asymptotics.decays.identification.telling.plots import draw_decrements, draw_panels, shown_laws
+from asymptotics.decays.identification.telling.plots import draw_decrements, draw_panels, drawn_run, shown_laws
 from asymptotics.decays.identification.telling.record_units import RecordUnits
 from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, MANY, Verdict
 from asymptotics.errors import require_choice
@@ -152,7 +152,8 @@ class Identification(Alike, Rows, Drawn):
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Decay, decrement against amplitude, residuals and profiles; on given axes ``ax`` the decrements alone.
 
-        ``style`` as of ``Motion.plot``.  InputError for several runs and printed decrements, and as there.
+        Of several runs the first is drawn.  ``style`` as of ``Motion.plot``.  InputError for printed decrements, and as
+        there.
         """
         return super().plot(ax, **{"panels": ax is None, **style})
 
@@ -167,7 +168,8 @@ class Identification(Alike, Rows, Drawn):
         if panels:
             draw_panels(self, axes)
         else:
-            draw_decrements(axes, shown_laws(self), self.units.shown)
+            one = drawn_run(self)
+            draw_decrements(axes, shown_laws(one), one.units.shown)
         return panels
 
     def _formula(self) -> str:

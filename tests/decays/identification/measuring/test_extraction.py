@@ -229,3 +229,36 @@ def test_the_samples_stand_under_the_envelope_where_turning_points_are_fitted():
     drawn = {line.get_label(): line.get_xydata() for line in axes[0].lines}
     assert 1000 < len(drawn["samples"]) <= 4000 < len(place)
     assert np.abs(drawn["samples"][:, 1]).max() < 1.001 < np.abs(x).max()  # near miss: with its base line it stands out
+
+
+@pytest.mark.parametrize("missing", [0.08, 0.3])
+def test_cells_that_are_missing_here_and_there_cost_no_swings(missing):
+    """Of 8 % missing most extremes had a gap beside them: 'extremes do not alternate' left 2 of 32 periods."""
+    t, random = np.arange(0, 40, 0.03), np.random.default_rng(0)
+    x = 2 * np.exp(-0.03 * t) * np.cos(5 * t) + 0.01 * random.standard_normal(len(t))
+    kept = random.random(len(t)) > missing
+    seen = observations_of_record(t[kept], x[kept])
+    assert len(seen.samples.t) > 0.97 * kept.sum() and seen.samples.t[-1] > 39
+    assert not any("alternate" in note for note in seen.notes)
+
+
+def _missing(how, per_period, seed):
+    """A decay of 31 periods with rows lost one by one (a share) or in blocks (a share, the periods of a block)."""
+    share, block = how
+    random = np.random.default_rng(seed)
+    t = np.arange(0, 78, 2 * np.pi / SPEED / per_period)
+    kept = random.random(len(t)) > (share if block is None else 0)
+    while block is not None and kept.mean() > 1 - share:
+        start = int(random.integers(per_period, len(t)))
+        kept[start : start + int(block * per_period)] = False
+    return t[kept], (motion(t) + 3e-3 * random.standard_normal(len(t)))[kept]
+
+
+@pytest.mark.parametrize("how", [(0.08, None), (0.15, None), (0.2, 0.15), (0.5, 0.15), (0.5, 0.4), (0.5, 0.8)], ids=str)
+@pytest.mark.parametrize("per_period", [32, 60])
+def test_lost_rows_cost_no_swings(how, per_period):
+    """Phones lose packets: 8 % of the rows lost left two periods of thirty, or "no swing beyond doubt"."""
+    seen = load(dict(zip("tx", _missing(how, per_period, 43)))).pop()
+    assert seen.last >= 60 and not any("not used" in note or "alternate" in note for note in seen.notes)
+    decay = np.polyfit(seen.t, np.log(np.abs(seen.x)), 1)[0]
+    assert decay == pytest.approx(-LAG, rel=0.02)

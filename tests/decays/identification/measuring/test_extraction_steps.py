@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from asymptotics.decays.identification.measuring.counted_swings import half_swings_between, start_of_freedom
 from asymptotics.decays.identification.measuring.extraction import (
     _base_line,
     _correlation_factor,
@@ -14,8 +15,6 @@ from asymptotics.decays.identification.measuring.extraction import (
     _moving_mean,
     _newton,
     _Points,
-    _start_of_freedom,
-    _steps,
 )
 
 
@@ -38,23 +37,23 @@ def times(*disturbed, count=14):
     [((), 0), ((0,), 1), ((1,), 2), ((2,), 3), ((0, 1), 2), ((0, 2), 3), ((3,), 0), ((12,), 0)],
 )
 def test_the_turning_points_up_to_the_last_disturbed_duration_are_left_out(disturbed, left_out):
-    assert _start_of_freedom(times(*disturbed)) == left_out
+    assert start_of_freedom(times(*disturbed)) == left_out
 
 
 @pytest.mark.parametrize(
     ("count", "disturbed", "left_out"), [(9, 0, 1), (8, 0, 0), (10, 1, 2), (9, 1, 0), (11, 2, 3), (10, 2, 0)]
 )
 def test_a_duration_is_judged_by_the_next_eight(count, disturbed, left_out):
-    assert _start_of_freedom(times(disturbed, count=count)) == left_out
+    assert start_of_freedom(times(disturbed, count=count)) == left_out
 
 
 @pytest.mark.parametrize("lost", [1, 2, 3, (1, 4)])
 def test_a_turning_point_that_was_not_found_is_no_hand(lost):
     """Two half periods in one are no disturbed duration; a hand beside them is one still."""
     half = 0.5 + 1e-3 * np.arange(14)
-    assert _start_of_freedom(np.delete(np.cumsum(half), lost)) == 0
+    assert start_of_freedom(np.delete(np.cumsum(half), lost)) == 0
     half[0] += 0.1
-    assert _start_of_freedom(np.delete(np.concatenate([[0.0], np.cumsum(half)]), 4)) == 1
+    assert start_of_freedom(np.delete(np.concatenate([[0.0], np.cumsum(half)]), 4)) == 1
 
 
 @pytest.mark.parametrize(("excess", "left_out"), [(4.0, 0), (6.0, 1)])
@@ -64,12 +63,12 @@ def test_a_hand_is_five_times_the_scatter_off(excess, left_out):
     line = np.polynomial.Polynomial.fit(np.arange(1, 9), following, 1)
     scatter = np.sqrt(((following - line(np.arange(1, 9))) ** 2).sum() / 6)
     half = np.concatenate([[line(0) + excess * scatter], following])
-    assert _start_of_freedom(np.concatenate([[0.0], np.cumsum(half)])) == left_out
+    assert start_of_freedom(np.concatenate([[0.0], np.cumsum(half)])) == left_out
 
 
 def test_a_gap_counts_as_many_half_swings_as_fit_into_it():
-    assert _steps(np.array([0.0, 1.0, 2.1, 5.0, 6.0, 6.4, 8.4])).tolist() == [1, 1, 3, 1, 1, 2]
-    assert _steps(np.array([1.0])).tolist() == []
+    assert half_swings_between(np.array([0.0, 1.0, 2.1, 5.0, 6.0, 6.4, 8.4])).tolist() == [1, 1, 3, 1, 1, 2]
+    assert half_swings_between(np.array([1.0])).tolist() == []
 
 
 DECAY = 0.9 ** np.arange(12) * (-1.0) ** np.arange(12)

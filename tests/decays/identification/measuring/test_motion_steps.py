@@ -172,13 +172,14 @@ def table(kind, columns):
 )
 def test_a_decay_is_read_by_its_kind(monkeypatch, kind, column, order):
     asked = []
-    whole = lambda t, x: np.array_equal(t, T) and np.array_equal(x, motion())  # noqa: E731
-    monkeypatch.setattr(
-        sources,
-        "observations_of_motion",
-        lambda t, x, **more: (asked.append(more), "motion")[1] if whole(t, x) else None,
-    )
     plain = Observations.of([0, 1, 2], [1.0, -0.9, 0.8], T[[0, 10, 20]], notes=("own",))
+
+    def of_motion(t, x, **more):
+        asked.append(more)
+        assert np.array_equal(t, T[:150]) and np.array_equal(x, motion()[:150])
+        return plain
+
+    monkeypatch.setattr(sources, "observations_of_motion", of_motion)
     monkeypatch.setattr(sources, "observations_of_record", lambda t, x, **more: (asked.append(more), plain)[1])
     monkeypatch.setattr(sources, "without_second_modes", lambda t, x: (x, ("a line",)))
     monkeypatch.setattr(sources, "moving", lambda t, x, period: slice(0, 150))
@@ -186,9 +187,8 @@ def test_a_decay_is_read_by_its_kind(monkeypatch, kind, column, order):
     assert sources._order(run) == order
     found = sources._decay(T, motion(), run, run.rows, ("before",), 1)
     if order:
-        assert found == "motion" and asked == [
-            {"unit": "mm", "name": "file", "notes": ("before", "a line"), "derivative": order}
-        ]
+        assert asked == [{"unit": "mm", "name": "file", "notes": ("before", "a line"), "derivative": order}]
+        assert found.notes == ("own", "the last 8.9 periods, after t = 6, are not used")
     else:
         assert found.notes == ("before", "a line", "own", "the last 8.9 periods, after t = 6, are not used")
         assert asked[0]["unit"] == "mm" and asked[0]["rows"].row(149) == 151 and len(asked[0]["rows"].lines) == 150

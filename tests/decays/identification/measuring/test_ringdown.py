@@ -126,7 +126,7 @@ def test_uneven_times_and_amplitudes_that_end_at_zero():
     assert np.polyfit(seen.n * seen.spacing, np.log(np.abs(seen.x)), 1)[0] == pytest.approx(-1 / TAU, rel=1e-3)
     data["amplitude"] = np.maximum(3 - 0.1 * t, 0)
     (seen,) = load(data, "envelope", omega_0=1e4)
-    assert seen.n[-1] * seen.spacing < 30 and any("0 or below, left out" in note for note in seen.notes)
+    assert seen.n[-1] * seen.spacing < 30 and any("0 or hidden by noise, left out" in note for note in seen.notes)
 
 
 @pytest.mark.parametrize("seed", range(6))

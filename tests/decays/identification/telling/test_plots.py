@@ -30,8 +30,9 @@ def test_the_picture_is_drawn():
     mean, decrement, band = decrement_band(answer.law("1+2").law.fit)
     first_order = np.pi / 2 * 0.01 * mean + 4 / 3 * 0.02 * mean**2
     assert (np.abs(decrement - first_order) < 3 * band + 0.02 * first_order).all()
+    table = {"amplitude": [1.0, 0.8, 0.6], "decrement": [0.1, 0.06, 0.04], "resolution": [0.005] * 3}
     with pytest.raises(InputError, match="plot"):
-        asy.identify([observed("1", [0.01], 30, 1e-3, seed=s) for s in (1, 2)], laws=["1"]).picture()
+        asy.identify(table, laws=["1"]).picture()
 
 
 def test_pictures_have_the_quantile_of_the_intervals():
@@ -175,3 +176,17 @@ def test_a_law_without_two_measured_turning_points_has_no_decrements(monkeypatch
     few = np.arange(count), np.ones(count), np.ones(count)
     monkeypatch.setattr(plots, "measured_sizes", lambda _: few)
     assert [len(column) for column in measured_decrements(fit)] == [0, 0, 0]
+
+
+def test_of_several_runs_the_first_is_drawn():
+    """It was refused after all the work (exit code 2), and the answer was lost with the picture."""
+    runs = [observed("1", [0.02], 40, 1e-3, seed=seed) for seed in (1, 2)]
+    answer = asy.identify(runs, laws=["1", "2"], bootstrap=False)
+    figure, axes = plt.subplots()
+    plots.draw_panels(answer, axes)
+    said = figure._suptitle.get_text()
+    assert said.startswith("identified in 2 runs: 1") and "drawn: the first of 2 runs" in said
+    dots = {line.get_label(): len(line.get_xdata()) for line in axes.lines}
+    assert dots["turning points"] == len(answer.per_run[0].runs[0].n)
+    plt.close(figure)
+    assert answer.picture("svg").startswith(b"<?xml")
