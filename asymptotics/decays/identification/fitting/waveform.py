@@ -15,13 +15,16 @@ import numpy as np
 from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.forward.coefficients import Array, Element
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
+from asymptotics.decays.identification.forward.stepped import is_smooth
 from asymptotics.decays.identification.forward.swing import HalfSwingModel
 from asymptotics.decays.identification.forward.work import counted
 from asymptotics.decays.identification.measuring.observations import Indices, Observations
 
-_STEPS, _NEAR_THE_TOP = 16, 48
-"""Steps of a half-swing (of a pendulum beyond 130 degrees): what they leave is below 1e-6 of the amplitude, the least
-noise that is believed."""
+_STEPS, _KINKED, _NEAR_THE_TOP = 16, 32, 48
+"""Steps of a half-swing (with a power of the speed that is no whole one; of a pendulum beyond 130 degrees): what they
+leave is below 1e-6 of the amplitude, the least noise that is believed."""
+_CONTINUED = 7
+"""Of 32 graded steps, those about as wide as one of 16 even ones: a polynomial is continued by no more than that."""
 _FLOOR = 1e-6
 """The error of these steps as a noise: without it a record without noise would fit it."""
 _STEP = 1e-5
@@ -84,7 +87,8 @@ class WaveformModel(Model):
         # Of the integration and the interpolation, for all columns.
         counted(1000 + self.size * (0.3 * len(t) + 2 * len(run.tau) * len(self.swing.elements)))
         nodes, order = _nodes(self.swing, run.a[:-1], theta[self.law], well), self.samples.derivative
-        values, speed = _between(*nodes, n, clock - run.tau[n], order)
+        wide = len(nodes[0]) * _CONTINUED // _KINKED if _is_kinked(self.swing) else 1
+        values, speed = _between(*nodes, n, clock - run.tau[n], order, wide)
         radius = self.seen.sign[0] * np.where(n % 2, -1.0, 1.0) * self.reference
         x, by_a = values[0], (values[1] - values[0]) / _STEP
         if not np.isfinite(values).all():
@@ -203,10 +207,13 @@ def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Ar
     delta = [laws[:, i : i + 1] * np.exp(np.clip(w[i] * A, -50, 50)) for i in range(count)]
 
     steps = _STEPS if well < 0.9 else _NEAR_THE_TOP  # sin(A/2) = 0.9 at 128 degrees: near the top the clock has a peak
-    h = np.pi / steps
-    places = np.arange(2 * steps + 1) * h / 2
+    steps = max(steps, _KINKED) if _is_kinked(swing) else steps
+    h, places = np.pi / steps, np.arange(2 * steps + 1) * np.pi / steps / 2
+    places, pace = _graded(places) if _is_kinked(swing) else (places, np.ones(len(places)))
     sines, cosines = np.abs(np.sin(places)), np.cos(places)  # a power of a negative rounding of sin(pi) is nan
-    shapes = list(zip(*(_shapes(e, v, sines, cosines) for e, v in zip(swing.elements, q, strict=True)), strict=True))
+    # Where s^alpha has no slope by alpha, at rest, the force is that just before.
+    near = np.maximum(sines, sines[1]) if _is_kinked(swing) else sines
+    shapes = list(zip(*(_shapes(e, v, near, cosines) for e, v in zip(swing.elements, q, strict=True)), strict=True))
     powers = [_whole(weight) for weight in w]
 
     def force(k: int, y: Array) -> Array:
@@ -226,7 +233,7 @@ def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Ar
         d = slope(k, y) - cosines[k] * N
         if not (d > 0.01).all():  # as in ``quadrature``: the loss is about to stop the motion
             raise TooStrongError("no turning point follows on the other side")
-        clock = 1 / d
+        clock = pace[k] / d
         return -sines[k] * N * clock, clock
 
     y, tau = np.zeros_like(A), np.zeros_like(A)
@@ -246,6 +253,21 @@ def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Ar
     return nodes[0], nodes[1], nodes[2], nodes[3]
 
 
+def _is_kinked(swing: HalfSwingModel) -> bool:
+    """Whether a power of the speed may be no whole one."""
+    return swing.free or not is_smooth(swing.elements)
+
+
+def _graded(z: Array) -> tuple[Array, Array]:
+    """theta and dtheta/dz at even places z of a half-swing, dense at both turning points: theta = z - sin(2 z)/2.
+
+    A power s^alpha of the speed that is no whole one has no Taylor series where s = 0, and at alpha = 0 it jumps there
+    from 0 to 1: even steps are off by h/6 of the loss for any small alpha, and their slope by alpha is no number.  With
+    dtheta/dz = 2 sin(z)^2 the power counts for nothing at its kink.
+    """
+    return z - np.sin(2 * z) / 2, 2 * np.sin(z) ** 2
+
+
 def _shapes(element: Element, velocity: Array, sines: Array, cosines: Array) -> Array:
     """f(theta) of one term at each place, a column over the sets of parameters."""
     s, c = sines[:, None, None], cosines[:, None, None]
@@ -263,15 +285,17 @@ def _whole(weight: Array) -> int:
 
 @np.errstate(over="ignore", invalid="ignore", divide="ignore")
 def _between(
-    tau: Array, x: Array, v: Array, acceleration: Array, n: Array, since: Array, order: int
+    tau: Array, x: Array, v: Array, acceleration: Array, n: Array, since: Array, order: int, wide: int = 1
 ) -> tuple[Array, Array]:
     """A derivative of x in all columns (columns, samples), and the next one of the first column, at times ``since``
-    turning point ``n``."""
+    turning point ``n``; outside the half-swing by the polynomial of its first or last ``wide`` intervals."""
     # The interval is chosen by the unmoved column: the moved ones differ by 1e-5, and are continued by their
     # polynomials.
     k = np.clip((since[None] >= tau[:, 0, n]).sum(axis=0) - 1, 0, len(tau) - 2)
-    t0, x0, v0, a0 = (part[k, :, n].T for part in (tau, x, v, acceleration))
-    t1, x1, v1, a1 = (part[k + 1, :, n].T for part in (tau, x, v, acceleration))
+    after = since > tau[-1, 0, n]
+    first, last = np.where(after, k + 1 - wide, k), np.where(since < 0, k + wide, k + 1)
+    t0, x0, v0, a0 = (part[first, :, n].T for part in (tau, x, v, acceleration))
+    t1, x1, v1, a1 = (part[last, :, n].T for part in (tau, x, v, acceleration))
     h = t1 - t0
     u = (since[None] - t0) / h
     p1, p2 = h * v0, h**2 * a0 / 2
