@@ -1,6 +1,5 @@
 """The motion of losses |v|^alpha whose force has a kink or a jump at rest: a free exponent at 0, and broken ones."""
 
-
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
