@@ -18,6 +18,7 @@ from fractions import Fraction
 from math import floor, log10
 
 from asymptotics.numbers.double_error import DoubleError
+from asymptotics.present.counts import many
 
 _NUMBER = re.compile(r"(?P<sign>[+-]?)(?P<digits>[\d.]+)(?P<rest>.*)\Z", re.DOTALL)
 _NEAR, _LOG_2 = 1e-9, log10(2)
@@ -174,3 +175,12 @@ def _powers(power: int) -> Ratio:
     """10^power as a quotient of integers."""
     tens: int = 10 ** abs(power)
     return (tens, 1) if power >= 0 else (1, tens)
+
+
+def right_in_words(right: int, values: int) -> str:
+    """How many values are right in every digit.
+
+    >>> right_in_words(0, 1), right_in_words(5, 6)
+    ('0 of 1 value is right in every digit written', '5 of 6 values are right in every digit written')
+    """
+    return f"{right} of {many(values, 'value')} {'is' if values == 1 else 'are'} right in every digit written"

@@ -1,5 +1,6 @@
 """A comparison as lines of text: the rows, or the first and the worst of them, and what they say together."""
 
+from asymptotics.decays.comparison.digits import right_in_words
 from asymptotics.decays.comparison.order import told_order
 from asymptotics.decays.comparison.run import ComparedValue, Comparison
 
@@ -24,7 +25,7 @@ def comparison_text(found: Comparison, equation: str) -> str:
         "",
         f"right digits: worst {summary['worst_digits']} (line {summary['worst_line']}), "
         f"median {summary['median_digits']}, best {summary['best_digits']}; "
-        f"{summary['all_right']} of {summary['values']} values are right in every digit written",
+        + right_in_words(summary["all_right"], summary["values"]),
         *([order] if (order := told_order(summary.get("order", {}))) else []),
         f"the errors look like {look['kind']}: {look['reason']}",
         *([summary["ended"]] if "ended" in summary else []),

@@ -26,7 +26,7 @@ import numpy as np
 
 from asymptotics.certificates.certificate import Certificate
 from asymptotics.decays.comparison.certified import MotionBeside
-from asymptotics.decays.comparison.digits import judged, significant
+from asymptotics.decays.comparison.digits import judged, right_in_words, significant
 from asymptotics.decays.comparison.errors import Errors, of_motion, of_turning_points
 from asymptotics.decays.comparison.order import order_of, told_order
 from asymptotics.decays.comparison.quick_look import Look, look_of
@@ -121,7 +121,7 @@ class Comparison(Rows, Drawn):
     def _page(self) -> Page:
         summary, look = self.summary, self.summary["look"]
         title = f"right digits: worst {summary['worst_digits']}, median {summary['median_digits']}"
-        right = f"{summary['all_right']} of {summary['values']} values are right in every digit written"
+        right = right_in_words(summary["all_right"], summary["values"])
         worth = f"certified: {str(self.certified).lower()} ({self.method})"
         order = told_order(summary.get("order", {}))
         lines = (right, *([order] if order else []), f"the errors look like {look['kind']}: {look['reason']}", worth)

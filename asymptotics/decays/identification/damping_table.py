@@ -30,6 +30,7 @@ from asymptotics.law import Oscillator, SpringLike
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.policy import double_of, exact_double, exact_number
 from asymptotics.numbers.quantities import ANGLES
+from asymptotics.present.counts import many
 from asymptotics.present.percent import percent
 from asymptotics.terms import terms_of
 from asymptotics.terms_given import PENDULUM
@@ -202,7 +203,7 @@ def _candidates(laws: Any, most: int) -> tuple[tuple[tuple[str, ...], ...], tupl
                 "laws", f"{str(law)[:40]!r} is no candidate", f"up to {MAX_TERMS} different exponents >= 0"
             )
         if len(alphas) > most:
-            left.append(f"{'+'.join(map(str, alphas))} ({len(alphas)} strengths)")
+            left.append(f"{'+'.join(map(str, alphas))} ({many(len(alphas), 'strength')})")
         else:
             made.append(tuple(str(a) for a in alphas))
     skipped = f"skipped: {', '.join(dict.fromkeys(left))}"

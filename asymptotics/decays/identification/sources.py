@@ -53,7 +53,7 @@ def load(
         if isinstance(source, Observations):
             _require_few(source.last, source.name or "n")
         return [source]
-    table = read_table(source, kind, unit, how)
+    table = read_table(source, kind, unit, how, None if omega_0 is None else omega_0 / (2 * np.pi))
     try:
         if modes > 1 and table.kind in ("decrement", "turning-points", "envelope"):
             raise InputError("modes", f"{table.kind} show no second mode", "1, or the samples of a motion")

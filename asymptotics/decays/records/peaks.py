@@ -38,10 +38,11 @@ _VOLTS, _CLOCK = ("v", "mv", "uv", "\u00b5v", "\u03bcv"), 1e-3
 """Units of what a lock-in amplifier reads, and by how much of itself the step of its clock changes, printed."""
 _LOCK_IN = re.compile(r"R\b")
 """What a lock-in amplifier calls the magnitude, beside X, Y and theta."""
-_HIDDEN = 5.0
-"""Standard errors below which an amplitude is its noise, as for extremes (``extraction``)."""
+_HIDDEN, _SWINGING = 5.0, 10.0
+"""Standard errors below which an amplitude is its noise, as for extremes (``extraction``); and above which what follows
+is none, but swings."""
 _CYCLES = re.compile(r"\bcycles?\b", re.IGNORECASE)
-_PEAKS, _TURNS, _LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART, _TWICE = 2, 3, 5, 500, 0.8, 0.15, -0.9, 1.5, 0.2
+_PEAKS, _TURNS, LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART, _TWICE = 2, 3, 5, 500, 0.8, 0.15, -0.9, 1.5, 0.2
 """Rows that are peaks of one side, turning points of both, and samples of an envelope; more are no peaks; the share of
 steps that fall; by how much of a period a peak may be off its place; the correlation of an envelope with the time; how
 many periods apart no peaks are; and within which share of a period a second maximum is the same peak."""
@@ -141,38 +142,51 @@ def counts_cycles(name: str) -> bool:
 
 
 def rows_above_noise(x: Array) -> int:
-    """How many rows stand before noise hides the amplitude: all, where none after the largest is 0 or negative; else
-    those before the first below five times what their second differences say.
+    """How many rows stand before noise hides the amplitude: all, where none after the largest is 0 or negative, or what
+    follows swings; else those before the first below five times what their second differences say.
 
     >>> x = 10 * np.exp(-0.1 * np.arange(100)) + 0.01 * (-1.0) ** np.arange(100)
     >>> rows_above_noise(x), rows_above_noise(np.abs(x)), rows_above_noise(np.array([-1.0, 2.0, 1.0]))
     (45, 100, 3)
+    >>> rows_above_noise(np.cos(np.arange(100) / 8))
+    100
     """
     first = int(np.nanargmax(x)) if np.isfinite(x).any() else 0
     if not (x[first:] <= 0).any():
         return len(x)
     noise = float(np.nanmedian(np.abs(np.diff(x[first:], 2)))) / (0.6745 * 6**0.5)
-    return first + int(np.flatnonzero(x[first:] <= _HIDDEN * noise)[0])
+    kept = first + int(np.flatnonzero(x[first:] <= _HIDDEN * noise)[0])
+    # One in twenty may be a knock.
+    return len(x) if np.nanquantile(np.abs(x[kept:]), 0.95) > _SWINGING * noise else kept
+
+
+def periods_between(t: Array, frequency: float | None) -> float | None:
+    """How many periods lie between rows, where that is more than neighbouring peaks have; else None.
+
+    >>> periods_between(np.array([0.0, 30.0]), 2.0), periods_between(np.array([0.0, 0.5]), 2.0)
+    (60.0, None)
+    """
+    between = 0.0 if frequency is None or len(t) < 2 else float(np.median(np.diff(t))) * frequency
+    return between if between > _APART else None
 
 
 def is_envelope(name: str, t: Array, x: Array, frequency: float | None) -> bool:
     """Whether amplitudes are samples of an envelope: too many for peaks, or further apart than the period."""
     whole = np.isfinite(t) & np.isfinite(x)
-    if whole.sum() < _LEAST:
+    if whole.sum() < LEAST:
         return False
     t, x = t[whole], x[whole]
-    steps = np.diff(t)
-    apart = frequency is not None and float(np.median(steps)) * frequency > _APART
+    apart = periods_between(t, frequency) is not None
     if apart:
         t, x = t[: rows_above_noise(x)], x[: rows_above_noise(x)]
-    if len(x) < _LEAST or not (x > 0).all():
+    if len(x) < LEAST or not (x > 0).all():
         return False
     steps = np.diff(t)
     # Whatever its name, what is sampled less than once a period shows no swings.
     if not (apart or _is_amplitude(name) or (_LOCK_IN.match(name) and suffix(name).lower() in _VOLTS)):
         return False
     first = int(np.argmax(x))
-    if len(x) - first < _LEAST:
+    if len(x) - first < LEAST:
         return False
     read = suffix(name).lower() in _VOLTS and float(np.ptp(steps)) < _CLOCK * float(np.median(steps))
     return _falls(x[first:]) and (apart or read or len(x) > _MOST)

@@ -25,12 +25,14 @@ from asymptotics.decays.records.columns import KINDS, Choice
 from asymptotics.decays.records.error_names import errors_beside
 from asymptotics.decays.records.levels import amplitudes, is_logarithmic
 from asymptotics.decays.records.peaks import (
+    LEAST,
     counts_cycles,
     found_twice,
     is_double,
     is_envelope,
     never_swings,
     peaks_of_one_side,
+    periods_between,
     rows_above_noise,
     turns,
 )
@@ -94,10 +96,13 @@ class RecordTable:
         return self.kept(keep, f"{left}, the first is row {self.rows.row(first)}")
 
 
-def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | None = None) -> RecordTable:
+def read_table(
+    source: Any, kind: str | None = None, unit: str = "", how: How | None = None, frequency: float | None = None
+) -> RecordTable:
     """The table in a source; InputError says where and why not, and what would make it clear.
 
-    ``kind``: what the rows are, found from the columns if not given; ``unit`` of x, where the header has none.
+    ``kind``: what the rows are, found from the columns if not given; ``unit`` of x, where the header has none;
+    ``frequency`` in Hz, where it is said: amplitudes further apart than its period are no neighbours.
     """
     if kind is not None:
         require_choice(kind, "kind", KINDS)
@@ -122,7 +127,7 @@ def read_table(source: Any, kind: str | None = None, unit: str = "", how: How | 
     found = _in_units(_unmarked(_readable(table, body.unread, given)), choice, given, unit, time)
     found = replace(found, read_as=lambda: read_as(given, choice))
     if found.kind in ("record", "envelope") and not (kind is not None and found.kind == "record"):
-        found = _as_amplitudes(found, given.names[choice.places["x"]], given.frequency)
+        found = _as_amplitudes(found, given.names[choice.places["x"]], frequency or given.frequency)
     elif found.kind == "turning-points":
         found = _as_counted(_halved(found, given.names[choice.places["x"]]), given.names[choice.places["n"]])
     return _with_errors(found, choice, given, time)
@@ -189,6 +194,12 @@ def _as_amplitudes(table: RecordTable, name: str, frequency: float | None) -> Re
     levels = table.kind == "envelope" or is_logarithmic(suffix(name))
     if levels or is_envelope(name, t, x, frequency):
         return _as_envelope(table, suffix(name), frequency)
+    apart = periods_between(t, frequency)
+    if apart is not None and len(x) < LEAST and (x > 0).all():
+        # As neighbouring peaks they would have the period of their distance.
+        reason = f"{table.rows.name}: {len(x)} amplitudes lie {apart:.3g} periods apart at the frequency that is said"
+        loss = "--kind damping with --mass and --stiffness (1 and omega_0^2), for the strength of each law"
+        raise InputError("FILE", reason, f"at least {LEAST} of them; or {loss}")
     return _as_peaks(table, name)
 
 

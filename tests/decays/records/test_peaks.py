@@ -131,3 +131,32 @@ def test_a_voltage_that_falls_into_its_noise_is_an_envelope_until_there(tmp_path
     path.write_text(path.read_text().partition("\n")[2])
     with pytest.raises(InputError):
         asy.identify(path, laws=["1", "2"])
+
+
+@pytest.mark.parametrize("per_period", [8, 13, 15, 40, 200])
+@pytest.mark.parametrize("noise", [0.0, 0.01])
+def test_a_motion_under_a_line_that_says_some_frequency_stays_a_motion(per_period, noise, tmp_path):
+    """Failed before: an envelope of its first quarter swing, the other 19 periods "hidden by noise"."""
+    t = np.arange(20 * per_period) / per_period
+    x = 5 * np.exp(-0.05 * t) * np.cos(2 * np.pi * t) + noise * np.random.default_rng(1).standard_normal(len(t))
+    path = tmp_path / "swings.csv"
+    path.write_text("# Frequency [Hz]: 1000\nt (s),x (mm)\n" + "\n".join(f"{a:.6f},{b:.6f}" for a, b in zip(t, x)))
+    envelope = asy.identify(path, laws=["1"]).to_dict()["envelope"]
+    assert float(envelope["period"]["estimate"]) == pytest.approx(1, rel=1e-3)
+    assert float(envelope["quality"][1]["estimate"]) == pytest.approx(2 * np.pi / (2 * 0.05), rel=0.02)
+
+
+def test_a_frequency_that_is_said_tells_neighbouring_peaks_from_distant_amplitudes():
+    """Failed before: peaks 30 s apart at 12 rad/s had a period of 30 s; two of them Q = 3.43 in place of 196."""
+    t = 30.0 * np.arange(7)
+    x = 5 * np.exp(-t / 170) * (1 + 1e-4 * np.random.default_rng(2).standard_normal(7))
+    found = asy.identify({"t": t, "amplitude": x}, laws=["1"], omega_0=12).to_dict()["envelope"]
+    assert float(found["period"]["estimate"]) == pytest.approx(2 * np.pi / 12)
+    assert float(found["quality"][1]["estimate"]) == pytest.approx(12 * 170 / 2, rel=1e-2)
+    for count in (2, 3, 4):
+        with pytest.raises(InputError, match=f"{count} amplitudes lie 57.3 periods apart.*kind damping"):
+            asy.identify({"t": t[:count], "amplitude": x[:count]}, omega_0=12)
+    # Near misses: neighbours at the frequency that is said, and nothing said.
+    for said in (2 * np.pi / 30, None):
+        near = asy.identify({"t": t, "amplitude": x}, laws=["1"], omega_0=said).to_dict()["envelope"]
+        assert float(near["period"]["estimate"]) == pytest.approx(30, rel=1e-2)

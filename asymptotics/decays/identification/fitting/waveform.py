@@ -76,6 +76,11 @@ class WaveformModel(Model):
 
     def predict(self, theta: Array) -> tuple[Array, Array]:
         """The samples and their derivatives (samples, parameters), both as innovations."""
+        x, slopes = self._foretold(theta)
+        return self._white(x), self._white(slopes)
+
+    def _foretold(self, theta: Array) -> tuple[Array, Array]:
+        """The same as they are read off the sensor."""
         # As in ``least_squares``: e^300 is still a double.
         if not abs(theta[-2]) < 300:
             raise TooStrongError("the frequency leaves every bound")
@@ -107,18 +112,14 @@ class WaveformModel(Model):
         if self.samples.mode:
             beside, slopes[:, self.mode] = mode_at(t - t[0], *theta[self.mode])
             x = x + beside
-        return self._white(x), self._white(slopes)
+        return x, slopes
 
     def base_line(self, theta: Array) -> Array:
         """Offset, drift and what wanders beside them, at the samples: of the columns those that the fit absorbs."""
         line = theta[self.after] + theta[self.after + 1] * self._u
         if self.samples.slow is None:
             return np.asarray(line)
-        slow, self._slow = self._slow, None
-        try:
-            left = self._innovations(self.samples.x) - self.predict(theta)[0]
-        finally:
-            self._slow = slow
+        left = self._innovations(self.samples.x - self._foretold(theta)[0])
         columns = self._innovations(self.samples.slow)
         return np.asarray(line + self.samples.slow @ np.linalg.lstsq(columns, left, rcond=None)[0])
 
