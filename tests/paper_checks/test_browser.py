@@ -131,10 +131,14 @@ def test_a_font_without_the_root_or_without_tall_brackets_is_noticed(drawing, tm
 
 
 def test_a_power_beside_an_index_leaves_the_letter_alone(drawing, tmp_path):
-    """V leans over the place of its power: the page's style moves the power away, and without it they touch."""
+    """V leans over the place of its power: the page's style moves the power away; moved the other way they touch.
+
+    Without a style they touch in Chromium as it was in the summer of 2026, and no longer in 156.
+    """
     cell = mathml("V_0^2")
     (style,) = re.findall(r"msubsup [^{}]*\{[^{}]*\}", _PAGE.read_text("utf-8"))
-    assert isinstance(drawing, Camera) or pieces(*inks(drawing, tmp_path / "touching.html", [cell], "")) == 2
+    nearer = "msubsup > :nth-child(3) { transform: translateX(-.5em); }"
+    assert pieces(*inks(drawing, tmp_path / "touching.html", [cell], nearer)) == 2
     assert pieces(*inks(drawing, tmp_path / "apart.html", [cell], style)) == 3
 
 
@@ -144,12 +148,15 @@ def pieces(ink):
 
 
 def test_brackets_about_a_letter_stand_close_to_it(drawing, tmp_path):
+    """As close as brackets that stand by themselves, and those with the room that Chromium left are seen to be wide.
+
+    Until the summer of 2026 it left room for the largest size about a bracket that may grow.
+    """
     pair = [mathml(r"X{\left(\psi \right)}"), mathml(r"X(\psi)")]
-    growing = pair[0].replace('stretchy="false"', 'stretchy="true"')
-    widths = [ink.shape[1] for ink in inks(drawing, tmp_path / "brackets.html", [*pair, growing], "")]
-    assert widths[0] == widths[1]
-    # Chromium leaves room for the largest size about a bracket that may grow; Firefox is not asked
-    assert isinstance(drawing, Camera) or widths[2] > widths[1] + 5
+    assert 'stretchy="true"' not in pair[0]
+    roomy = re.sub(r'(?=form="(pre|post)fix")', 'lspace=".2em" rspace=".2em" ', pair[0])
+    widths = [ink.shape[1] for ink in inks(drawing, tmp_path / "brackets.html", [*pair, roomy], "")]
+    assert widths[0] == widths[1] < widths[2] - 5
 
 
 @pytest.mark.parametrize("page", ["index", "lelas2024", pytest.param("derivations", marks=pytest.mark.slow)])
