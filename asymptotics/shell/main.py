@@ -11,6 +11,7 @@ import re
 import sys
 from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
+from functools import cache
 from importlib import import_module
 from types import MappingProxyType
 from typing import Any, NoReturn
@@ -114,11 +115,7 @@ def run(argv: list[str] | None = None) -> int:
     # Two parsers: the first reads one word, so that only the module of that command is loaded, and its options are
     # unknown here.
     name = top.parse_args(arguments[: 2 if arguments[0] == "--completion" else 1]).command
-    # Loaded only here: the list of commands, --help and --version need no question.
-    command = import_module("asymptotics.shell.asked").command_of(name)
-    parser = Parser(prog=f"asymptotics {name}", description=command.page, allow_abbrev=False, formatter_class=_Raw)
-    command.configure(parser)
-    parser.add_argument("--schema", action=_Schema, nargs=0, help="the request as JSON Schema")
+    command, parser = _command(name)
     options = argparse.Namespace()
     try:
         options = command.parsed(parser, arguments[1:])
@@ -138,6 +135,17 @@ def run(argv: list[str] | None = None) -> int:
     except UndecidedError as error:
         complain(f"asymptotics {name}: undecided: {printable(str(error), MAX_ACCEPTED)}")
         return 1
+
+
+@cache
+def _command(name: str) -> tuple[Any, Parser]:
+    """The command and what reads its options, made once in a process."""
+    # Loaded only here: the list of commands, --help and --version need no question.
+    command = import_module("asymptotics.shell.asked").command_of(name)
+    parser = Parser(prog=f"asymptotics {name}", description=command.page, allow_abbrev=False, formatter_class=_Raw)
+    command.configure(parser)
+    parser.add_argument("--schema", action=_Schema, nargs=0, help="the request as JSON Schema")
+    return command, parser
 
 
 def _require_known(top: Parser, name: str) -> None:

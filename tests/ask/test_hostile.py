@@ -14,6 +14,7 @@ from asymptotics.ask.kinds import REAL, whole
 from asymptotics.ask.registry import QUESTIONS, loaded
 from asymptotics.errors import InputError
 from asymptotics.shell import asked as shell
+from asymptotics.shell import main as entry
 from asymptotics.shell.main import main
 from tests.every_question import IN_PYTHON, TAKING, call_of, example, options_of, usual
 
@@ -120,6 +121,7 @@ def test_a_kind_that_does_not_refuse_is_noticed(capsys, tmp_path, monkeypatch):
     deaf = replace(question["alpha"], kind=replace(REAL, read=lambda value, name: value))
     with monkeypatch.context() as patch:
         patch.setattr(shell, "loaded", lambda name: replace(question, asked=(deaf, *question.asked[1:])))
+        patch.setattr(entry, "_command", entry._command.__wrapped__)  # not the one that was made before
         with pytest.raises(AssertionError):
             walk("stokes", "--alpha", SOME, tmp_path, capsys)
     assert whole(1, 9).read("4", "n") == 4
