@@ -4,6 +4,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from asymptotics.ask.registry import QUESTIONS
 from tests.every_question import example
 
@@ -31,9 +33,14 @@ for line in sys.stdin.read().splitlines():
 """
 
 
-def test_every_command_runs_once_without_what_only_posix_has(tmp_path):
+@pytest.mark.parametrize(
+    "names",
+    [("table", "sweep", "identify"), pytest.param(tuple(QUESTIONS), marks=pytest.mark.slow)],
+    ids=["few", "all"],
+)
+def test_every_command_runs_once_without_what_only_posix_has(tmp_path, names):
     """Failed before: ``table`` and ``sweep`` ended in ModuleNotFoundError: No module named 'fcntl'."""
-    lines = [" ".join(example(name, tmp_path)) for name in QUESTIONS] + ["papers smith2012:48 --check"]
+    lines = [" ".join(example(name, tmp_path)) for name in names] + ["papers smith2012:48 --check"]
     done = subprocess.run(
         [sys.executable, "-c", HIDING], input="\n".join(lines), capture_output=True, text=True, cwd=ROOT, timeout=200
     )
