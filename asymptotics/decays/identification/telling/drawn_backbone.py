@@ -1,6 +1,6 @@
 """The backbone in a picture: the period against the amplitude, of the laws of the verdict and before any law.
 
-A law has a period at the geometric mean of the amplitudes of each half-swing, twice its time, with the band of the 95 %
+A law has a period at the geometric mean of the amplitudes of any half-swing, twice its time, with the band of the 95 %
 region; the three periods with intervals are those of the envelope (``backbone``), which knows no law.
 """
 
@@ -13,20 +13,19 @@ from asymptotics.decays.identification.fitting.profile import quantile
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.judging.laws import Judged
 from asymptotics.decays.identification.telling.envelope import envelope
+from asymptotics.decays.identification.telling.law_curves import period_curve
 from asymptotics.decays.records.units import SECONDS
 from asymptotics.present.drawn import head
 
 
 def backbone_band(fit: Fit, inflation: float = 1.0) -> tuple[Array, Array, Array]:
-    """(amplitude, period in s, half-width of its 95 % band) of a law in each half-swing.
+    """(amplitude, period in s, half-width of its 95 % band at this amplitude) of a law, as a curve.
 
     ``inflation``: by how much correlated residuals stretch the intervals of the law, and the band with them.
     """
-    size = fit.model.amplitudes(fit.theta)[0]
-    period, slopes = fit.model.periods(fit.theta)
-    spread = np.sqrt(np.maximum(np.einsum("ni,ij,nj->n", slopes, fit.covariance, slopes), 0.0))
+    amplitude, period, spread = period_curve(fit)
     clock = next((kind for kind in ("passage", "t") if kind in fit.model.kinds), "x")
-    return np.sqrt(size[1:] * size[:-1]), period, inflation * quantile(fit, 0.95, clock) * spread
+    return amplitude, period, inflation * quantile(fit, 0.95, clock) * spread
 
 
 def draw_backbone(axes: Any, laws: list[Judged], unit: str) -> None:

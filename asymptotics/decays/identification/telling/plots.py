@@ -10,6 +10,7 @@ from textwrap import wrap
 from typing import Any
 
 import numpy as np
+from scipy.interpolate import PchipInterpolator
 
 from asymptotics.decays.identification.fitting.least_squares import Fit
 from asymptotics.decays.identification.fitting.profile import profile_curve, quantile
@@ -20,6 +21,7 @@ from asymptotics.decays.identification.judging.laws import Judged
 from asymptotics.decays.identification.measuring.observations import Indices, Observations
 from asymptotics.decays.identification.telling.drawn_backbone import draw_backbone
 from asymptotics.decays.identification.telling.law_answer import shown_interval
+from asymptotics.decays.identification.telling.law_curves import decrement_curve
 from asymptotics.decays.records.units import SECONDS
 from asymptotics.errors import InputError
 from asymptotics.present.drawn import head
@@ -28,6 +30,8 @@ _SHOWN = 3
 """So many curves with their bands can be told apart in one panel."""
 _DOTS = 4000
 """Dots that a panel can hold; of more samples one in so many is drawn.  A choice."""
+_FINE = 400
+"""Places of a curve: between turning points too, where an envelope that falls by half is no straight line."""
 _ALIKE = 0.5
 """Curves that lie within this share of their bands of each other are one to the eye, and are drawn as one."""
 
@@ -107,27 +111,23 @@ def _decay(axes: Any, law: Judged, unit: str) -> None:
         clock = seen.time_unit or "s"
         place, abscissa = place * seen.spacing / SECONDS[clock], f"t ({clock})"
         side, sides, points = np.ones(len(n)), (1,), "amplitudes"
+    fine = np.linspace(place[0], place[-1], _FINE)
+    curve, about = np.exp(PchipInterpolator(place, np.log(size))(fine)), np.interp(fine, place, centre)
     for sign in sides:
         label = "envelope" if sign > 0 else None
-        axes.plot(place, centre + sign * size, color="C1", lw=1, label=label, zorder=2 if len(sides) > 1 else 3)
+        axes.plot(fine, about + sign * curve, color="C1", lw=1, label=label, zorder=2 if len(sides) > 1 else 3)
     axes.plot(place[n], centre[n] + side * measured, "o", markersize=3, color="C0", label=points)
     axes.set(xlabel=abscissa, ylabel=f"x ({unit})" if unit else "x")
     head(axes, [f"decay and envelope of {law.candidate}"])
 
 
 def decrement_band(fit: Fit, inflation: float = 1.0) -> tuple[Array, Array, Array]:
-    """(mean amplitude, decrement, half-width of its 95 % band) of a law at the measured turning points.
+    """(mean amplitude, decrement, half-width of its 95 % band at this amplitude) of a law, as a curve.
 
     ``inflation``: by how much correlated residuals stretch the intervals of the law, and the band with them.
     """
-    model = fit.model
-    size, by_law = model.amplitudes(fit.theta)
-    slopes = np.zeros((model.size, len(size) - 1))
-    slopes[: model.after] = by_law[:, :-1] - by_law[:, 1:]
-    # The delta method: the band is that of a decrement at each place by itself, as many standard errors either way as
-    # intervals reach.
-    spread = np.sqrt(np.maximum(np.einsum("in,ij,jn->n", slopes, fit.covariance, slopes), 0.0))
-    return (size[1:] + size[:-1]) / 2, size[:-1] - size[1:], inflation * quantile(fit, 0.95, "x") * spread
+    amplitude, value, spread = decrement_curve(fit)
+    return amplitude, value, inflation * quantile(fit, 0.95, "x") * spread
 
 
 def measured_sizes(fit: Fit) -> tuple[Indices, Array, Array]:
@@ -212,11 +212,19 @@ def _residuals(axes: Any, law: Judged) -> None:
         axes.set(xlabel=f"t ({clock})", ylabel="residual / standard deviation")
         head(axes, [f"residuals of {law.candidate}"])
         return
-    numbers = {"x": fit.model.seen.n, "t": fit.model.seen.n, "passage": fit.model.seen.passage_n}
+    seen, abscissa = fit.model.seen, "turning point n"
+    numbers: dict[str, Array] = {"x": seen.n, "t": seen.n, "passage": seen.passage_n}
+    clock = seen.time_unit or "s"
+    if seen.has_times:
+        abscissa = f"t ({clock})"
+        numbers = {"x": seen.t, "t": seen.t, "passage": seen.passage_t}
+    elif seen.spacing is not None:
+        abscissa, numbers = f"t ({clock})", {"x": seen.n * seen.spacing}
+    scale = SECONDS[clock] if abscissa.startswith("t (") else 1.0
     for kind, group in zip(fit.model.kinds, fit.model.groups):
-        axes.plot(numbers[kind], fit.weighted[group], "o", markersize=3, label=kind)
+        axes.plot(numbers[kind] / scale, fit.weighted[group], "o", markersize=3, label=kind)
     axes.axhline(0, color="0.5", lw=0.6)
-    axes.set(xlabel="turning point n", ylabel="residual / standard deviation")
+    axes.set(xlabel=abscissa, ylabel="residual / standard deviation")
     head(axes, [f"residuals of {law.candidate}"])
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_hex
+from scipy.interpolate import CubicSpline
 
 from asymptotics.decays.identification.fitting.profile import Interval, quantile
 from asymptotics.decays.identification.forward.candidates import read_candidate as read
@@ -89,11 +90,13 @@ def test_the_decay_has_its_points_and_an_envelope_about_the_rest_position(axes, 
     axes.plot([], [])
     plots._decay(axes, pair[0], "mm")
     _, upper, lower, points = axes.lines
-    size = linear(fit, np.arange(13))
     assert abs(fit.rest - OFFSET) < 2e-3
     for each, sign in ((upper, 1), (lower, -1)):
-        assert np.array_equal(each.get_xdata(), np.arange(13)) and colour(each) == cycle(1)
-        assert each.get_ydata() == pytest.approx(fit.rest + sign * size, rel=1e-9) and each.get_linewidth() == 1
+        n = each.get_xdata()
+        assert (n[0], n[-1]) == (0, 12) and colour(each) == cycle(1)
+        # Between turning points too: a polyline would lie above the envelope there.
+        assert each.get_ydata() == pytest.approx(fit.rest + sign * linear(fit, n), rel=1e-6)
+        assert each.get_linewidth() == 1
     assert np.array_equal(points.get_xdata(), run.n) and points.get_ydata() == pytest.approx(run.x, rel=1e-12)
     assert (points.get_marker(), points.get_markersize(), points.get_linestyle()) == ("o", 3, "None")
     assert names(axes) == ["envelope", "turning points"]
@@ -122,8 +125,10 @@ def test_decrements_are_those_of_neighbours_about_the_rest_position(axes, pair):
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("mean amplitude (mm)", "decrement (mm)")
     assert axes.get_title() == "decrement against amplitude"
     drawn, curve = linear(law.fit, np.arange(13)), line(axes, "1")
-    assert curve.get_xdata() == pytest.approx((drawn[1:] + drawn[:-1]) / 2, rel=1e-9)
-    assert curve.get_ydata() == pytest.approx(drawn[:-1] - drawn[1:], rel=1e-9)
+    share = 2 * (drawn[0] - drawn[1]) / (drawn[0] + drawn[1])
+    assert curve.get_ydata() == pytest.approx(share * curve.get_xdata(), rel=1e-6)
+    assert curve.get_xdata()[0] == pytest.approx(drawn[0], rel=share / 2)
+    assert curve.get_xdata()[-1] == pytest.approx(drawn[-1], rel=share / 2)
 
 
 def test_each_law_has_its_colour_and_its_band_and_the_first_lies_in_front(axes):
@@ -148,18 +153,20 @@ def test_each_law_has_its_colour_and_its_band_and_the_first_lies_in_front(axes):
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("mean amplitude", "decrement")
 
 
-def test_a_band_is_what_the_covariance_makes_of_a_decrement(pair):
-    """By differences of the law instead of its derivatives; 95 % by Student's t, and stretched as the intervals are."""
+def test_a_band_is_what_the_covariance_makes_of_a_decrement_at_its_amplitude(pair):
+    """By differences of the curve, not derivatives; 95 % by Student's t, and stretched as the intervals are."""
     fit = pair[1].fit
-    size = lambda theta: fit.model.amplitudes(theta)[0]  # noqa: E731
-    step = 1e-6
-    moved = [(size(fit.theta + step * e) - size(fit.theta - step * e)) / (2 * step) for e in np.eye(len(fit.theta))]
-    slopes = np.array(moved)[:, :-1] - np.array(moved)[:, 1:]
-    spread = [float(np.sqrt(s @ fit.covariance @ s)) for s in slopes.T]
-    mean, value, band = plots.decrement_band(fit)
-    drawn = size(fit.theta)
-    assert mean == pytest.approx((drawn[1:] + drawn[:-1]) / 2) and value == pytest.approx(drawn[:-1] - drawn[1:])
-    assert band == pytest.approx(quantile(fit, 0.95, "x") * np.array(spread), rel=1e-5)
+
+    def curve(theta):
+        size = fit.model.amplitudes(theta)[0]
+        return CubicSpline((size[1:] + size[:-1])[::-1] / 2, (size[:-1] - size[1:])[::-1])
+
+    step, (mean, value, band) = 1e-4, plots.decrement_band(fit)
+    moved = [(curve(fit.theta + step * e)(mean) - curve(fit.theta - step * e)(mean)) / (2 * step)
+             for e in np.eye(len(fit.theta))]  # fmt: skip
+    spread = [float(np.sqrt(s @ fit.covariance @ s)) for s in np.array(moved).T]
+    assert value == pytest.approx(curve(fit.theta)(mean), rel=1e-3)
+    assert band == pytest.approx(quantile(fit, 0.95, "x") * np.array(spread), rel=0.02)
     assert plots.decrement_band(fit, 2.5)[2] == pytest.approx(2.5 * band, rel=1e-12)
 
 
@@ -195,21 +202,23 @@ def test_nothing_is_shaded_where_nothing_is_left(axes, pair):
     assert names(axes) == ["2", "1", "measured"]
 
 
-def test_residuals_stand_at_their_numbers_in_standard_deviations(axes):
+def test_residuals_stand_at_their_times_in_standard_deviations(axes):
     run = replace(seen(1e-3), passage_n=np.arange(1, 12), passage_t=np.arange(1, 12) * np.pi + np.pi / 2)
     law = small_laws.law("1", fit_law(read("1"), run).fit)
     plots._residuals(axes, law)
     fit, zero = law.fit, axes.lines[-1]
     assert names(axes) == ["x", "t", "passage"]
     r = fit.residuals
-    for label, numbers, own in (("x", run.n, r[:13]), ("t", run.n, r[13:26]), ("passage", run.passage_n, r[26:])):
+    for label, place, own in (("x", run.t, r[:13]), ("t", run.t, r[13:26]), ("passage", run.passage_t, r[26:])):
         drawn = line(axes, label)
-        assert np.array_equal(drawn.get_xdata(), numbers)
+        assert np.array_equal(drawn.get_xdata(), place)
         assert drawn.get_ydata() == pytest.approx(own / fit.scales[label], rel=1e-12)
         assert (drawn.get_marker(), drawn.get_markersize(), drawn.get_linestyle()) == ("o", 3, "None")
     assert list(zero.get_ydata()) == [0, 0] and zero.get_color() == "0.5" and zero.get_linewidth() == 0.6
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("turning point n", "residual / standard deviation")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("t (s)", "residual / standard deviation")
     assert axes.get_title() == "residuals of 1"
+    plots._residuals(axes, laws_of(seen(), "1")[0])  # without times by their numbers
+    assert axes.get_xlabel() == "turning point n" and np.array_equal(axes.lines[-2].get_xdata(), np.arange(13))
 
 
 def test_residuals_of_samples_stand_at_their_times(axes):
