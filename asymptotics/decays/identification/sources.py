@@ -19,6 +19,7 @@ from asymptotics.decays.identification.measuring.sampled import LEAST_SAMPLES, o
 from asymptotics.decays.identification.measuring.second_mode import without_second_modes
 from asymptotics.decays.identification.measuring.sensors import sensor_notes
 from asymptotics.decays.identification.measuring.slow_base_line import SlowBaseLine, slow_base_line
+from asymptotics.decays.identification.measuring.steady_start import steady_start
 from asymptotics.decays.records.clock import runs_of, straightened
 from asymptotics.decays.records.repairs import releases, spikes
 from asymptotics.decays.records.rows import RowPlaces
@@ -120,6 +121,11 @@ def _decays(run: RecordTable, modes: int = 1) -> list[Observations]:
             if number == 1 and places[0] > 0:
                 told = (*told, f"what comes before t = {t[places[0]]:.6g} is held, or too short a release: not used")
             own = replace(own, name=f"{rows.name} (release {number})")
+        steady = None if beat is not None else steady_start(t[places], x[places])
+        if steady is not None:
+            told = (*told, steady.in_words)
+            free = t[places] >= steady.end
+            places, own = (places[free], own.kept(free)) if steady.sure else (places, own)
         try:
             found.append(_decay(t[places], x[places], run, own, told, modes))
         # One release of several may be too short; the only one may not.
