@@ -52,6 +52,7 @@ _WORDS = {
     "decrement": "decrement",
     "resolution": "resolution",
     "force": "force kraft torque drehmoment",
+    "computed": "fit fitted residual residuals theory theoretical predicted simulated anpassung residuum",
     "uncertainty": "uncertainty uncertainties error err xerr yerr terr sigma std stddev unsicherheit fehler",
 }
 _MEANING = {word: quantity for quantity, words in _WORDS.items() for word in words.split()}
@@ -88,8 +89,8 @@ def quantity(name: str) -> str:
     ['time', 'position', '', 'acceleration', 'acceleration', 'time', 'time']
     >>> [quantity(n) for n in ("A (cm)", "a (m/s^2)", "A")]
     ['position', 'acceleration', 'acceleration']
-    >>> [quantity(n) for n in ("gx", "gyroZ", "AccX", "millis", "position")]
-    ['velocity', 'velocity', 'acceleration', 'time', 'position']
+    >>> [quantity(n) for n in ("gx", "gyroZ", "AccX", "millis", "position", "x_fit")]
+    ['velocity', 'velocity', 'acceleration', 'time', 'position', 'computed']
     """
     unit = suffix(name)
     # What stands before a colon is the run or the point that was followed.
@@ -106,9 +107,10 @@ def quantity(name: str) -> str:
     # A name that is one word of the list as a whole, such as x_value, is cut into no others.
     if label.lower().strip() in _MEANING:
         return _MEANING[label.lower().strip()]
-    # "uncertainty t (s)" is no time.
-    if "uncertainty" in found:
-        return "uncertainty"
+    # "uncertainty t (s)" is no time, x_fit no place that was measured.
+    for other in ("uncertainty", "computed"):
+        if other in found:
+            return other
     # Of letters alone the first decides: a_x is an acceleration, x_a none.
     if found and all(len(w) == 1 for w in words):
         return found[0]
@@ -224,7 +226,7 @@ def _kind_of(names: Sequence[str], given: dict[str, int], file: str) -> str:
             return "turning-points"
         if "time" in meant:
             # A column that says nothing may be the position; only where there is none is a velocity the motion itself.
-            has_x = "position" in meant or "" in meant
+            has_x = bool({"position", "computed", ""} & {*meant})
             derived = [kind for kind in ("velocity", "acceleration") if kind in meant]
             return derived[0] if not has_x and derived else "record"
     live = [name for name in names if name]

@@ -118,3 +118,11 @@ def test_of_a_workbook_the_sheet_of_samples_is_taken(tmp_path):
         raw.to_excel(book, sheet_name="Run 2", index=False)
     with pytest.raises(InputError, match="2 sheets with numbers"):
         read_table(path)
+
+
+def test_a_fit_beside_what_was_measured_is_no_second_place():
+    """Failed before: a spreadsheet with its own fit was asked which column is x."""
+    rows = [f"{line},{x + 1e-3:.6f},-0.001" for line, x in zip(LINES, X)]
+    table = read("\n".join(["t (s),x (cm),x_fit (cm),residual (cm)", *rows]))
+    check(table)
+    check(read("\n".join(["t (s),fitted x (cm)", *LINES])))  # what is alone is taken
