@@ -19,6 +19,9 @@ from asymptotics.numbers.alike import Alike
 Indices = NDArray[np.intp]
 
 
+_TWO = ", two in a period (of peaks of one side: call their column cycle)"
+
+
 @dataclass(frozen=True, eq=False)
 class Samples(Alike):
     """The motion as it was sampled, or a ``derivative`` of it; ``noise`` about a smooth line, with its degrees of
@@ -106,7 +109,7 @@ class Observations(Alike):
         # A decay about a base line changes sign at every turning point: values of one sign are amplitudes.
         if len(position) > 1 and ((position > 0).all() or (position < 0).all()):
             position = np.abs(position) * alternate
-            text = (*text, "the values have one sign: read as amplitudes |x_n|")
+            text = (*text, f"the values have one sign: read as amplitudes |x_n|{_TWO * bool((alternate < 0).any())}")
         floats = (np.asarray(v, dtype=float) for v in (t, passage_t, sigma_x, sigma_t, sigma_passage))
         time, crossing, s_x, s_t, s_p = floats
         first = int(number[0])

@@ -82,7 +82,9 @@ def test_the_sign_alternates_from_that_of_all_of_them_together(side):
 def test_values_of_one_sign_are_amplitudes_and_it_is_said(side):
     seen = Observations.of([1, 2, 4], side * np.array([1.0, 0.8, 0.5]))
     assert seen.x.tolist() == [1.0, -0.8, -0.5] and seen.n.tolist() == [0, 1, 3]
-    assert seen.notes == ("the values have one sign: read as amplitudes |x_n|",)
+    said = "the values have one sign: read as amplitudes |x_n|"
+    assert seen.notes == (f"{said}, two in a period (of peaks of one side: call their column cycle)",)
+    assert Observations.of([0, 2, 4], [1.0, 0.8, 0.5]).notes == (said,)
     assert Observations.of([0, 1], [1.0, -0.8]).notes == () and Observations.of([0], [-1.0]).x.tolist() == [-1.0]
 
 
