@@ -266,7 +266,7 @@ def identify(
     if kind in (None, DAMPING):
         one = len(data) == 1 if isinstance(data, list) else not isinstance(data, tuple)
         data = opened_once(data[0] if one and isinstance(data, list) else data, how) if one else data
-    if is_damping(data, kind, columns):
+    if is_damping(data, kind, columns, omega_0):
         asked = {
             "x": x, "unit": unit, "columns": columns, "rate": rate, "springs": springs, "amplitudes": amplitudes,
             "amplitudes_only": amplitudes_only, "omega_0": omega_0, "modes": modes, "noise": noise, "laws": laws,

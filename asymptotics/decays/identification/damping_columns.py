@@ -15,7 +15,9 @@ import numpy as np
 
 from asymptotics.decays.identification.inverse_damping import QUANTITIES
 from asymptotics.decays.records.error_names import errors_beside
+from asymptotics.decays.records.peaks import numbers_peaks
 from asymptotics.decays.records.sources import How, Source, opened
+from asymptotics.decays.records.table import units_said
 from asymptotics.decays.records.units import UNITS, seconds, suffix
 from asymptotics.errors import InputError
 from asymptotics.numbers.arrays import real_array
@@ -61,7 +63,7 @@ class Columns:
 
 def roles(names: Sequence[str]) -> list[str | None]:
     """What each column is; a name of the errors of another one, u(x) or sd x, is the resolution of what is measured."""
-    found = [_WORDS.get(_plain(name)) for name in names]
+    found = ["cycles" if numbers_peaks(name) else _WORDS.get(_plain(name)) for name in names]
     errors = {place: of for place, of in errors_beside(names).items() if found[place] is None}
     losses = {*QUANTITIES} & {*found}
     if losses and "amplitude" not in found:
@@ -96,8 +98,12 @@ def is_of_damping(names: Sequence[str]) -> bool:
     return "amplitude" in found and (logarithmic or not {"zeta", "Q", "force"}.isdisjoint(found))
 
 
-def read_columns(table: Any) -> Columns:
-    """Of a file, a data frame or a mapping; InputError where no loss stands at an amplitude."""
+def read_columns(table: Any, said: str = "") -> Columns:
+    """Of a file, a data frame or a mapping; InputError where no loss stands at an amplitude.
+
+    ``said``: the units of A and of the time, as ``units_said`` reads them, where the columns have none.
+    """
+    of_a, of_time = units_said(said)
     source = _opened(table)
     names, at = list(source.names), dict[str, int]()
     for place, what in enumerate(roles(names)):
@@ -123,12 +129,16 @@ def read_columns(table: Any) -> Columns:
     left = [name for place, name in enumerate(names) if place not in at.values()]
     notes = [f"not used: {', '.join(left)}"] if left else []
     name = names[at["amplitude"]]
-    unit = suffix(name)
+    unit = suffix(name) or of_a
+    if of_a and unit != of_a:
+        raise InputError("unit", f"{of_a} contradicts the column {name[:40]}", unit)
     if unit and unit not in UNITS:
         raise InputError("table", f"the unit {unit[:20]!r} of {name[:40]!r} is not known", ", ".join(UNITS))
     if UNITS.get(unit, 1.0) != 1.0:
         notes.append(f"amplitudes in {unit} taken as {'rad' if unit in ANGLES else 'm'}")
-    sizes = {what: _size(what, names[place]) for what, place in at.items()}
+    sizes = {what: _size(what, names[place], of_time) for what, place in at.items()}
+    if sizes["amplitude"] is None:
+        sizes["amplitude"] = UNITS.get(unit)
     measured = quantities[0] if quantities[0] in QUANTITIES else "amplitude"
     for what, of in (("resolution", measured), ("phase_resolution", "phase")):
         # Without a unit of its own an error has that of what it is the error of.
@@ -142,13 +152,13 @@ def read_columns(table: Any) -> Columns:
     return Columns(columns, quantities[0], tuple(notes), unit, sizes[measured] or 1.0)
 
 
-def _size(what: str, name: str) -> float | None:
+def _size(what: str, name: str, of_time: str = "") -> float | None:
     """The size of the unit in the name of a column; None without one."""
     unit = suffix(name)
     if (unit or name.rpartition("_")[2]).lower() in _PERCENT:
         return _PER_CENT if what in ("zeta", "decrement", "resolution") else None
     if what == "t":
-        return seconds(name, "the table")
+        return seconds(name, "the table", of_time)
     if what in PHASE:
         return _DEGREE if unit in ("deg", "degree", "degrees", "°") else None
     return UNITS.get(unit) if what in ("amplitude", "resolution") else None

@@ -5,7 +5,7 @@ A linear inverse problem: least squares with strengths >= 0 and profile interval
 >>> A = ["0.1", "0.2", "0.4", "0.8"]
 >>> zeta = [0.0120, 0.0141, 0.0178, 0.0261]
 >>> found = law_of_table({"A": A, "zeta": zeta}, resolution=exact_number("0.0002", "resolution"))
->>> print(found.verdict)
+>>> print(found.verdict.text)
 viscous drag and drag in v^2: consistent; epsilon_1 = ...; the table cannot tell dry friction below ... from none
 >>> found.law("2").grade
 'refuted'
@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from asymptotics.decays.identification.between_amplitudes import pairs
-from asymptotics.decays.identification.damping_columns import CLOCKS, PHASE, read_columns
+from asymptotics.decays.identification.damping_columns import CLOCKS, PHASE, Columns, read_columns
 from asymptotics.decays.identification.found_law import UNTESTED, DampingLaw
 from asymptotics.decays.identification.inverse_damping import DampingCandidate, Problem, fitted, weighted
 from asymptotics.decays.identification.resonance_table import as_losses, beyond_first_order
@@ -60,20 +60,22 @@ def law_of_table(
     spring: SpringLike | None = None,
     mass: ExactReal | None = None,
     stiffness: ExactReal | None = None,
+    omega_0: ExactReal | None = None,
+    unit: str = "",
 ) -> DampingLaw:
     """The candidates with grades and intervals, of a file, a data frame or a mapping of columns.
 
-    InputError by name for what cannot be used.
+    ``omega_0`` in the place of the mass and the stiffness tells b/m; ``unit``: of A, of the time, or of both, where the
+    columns have none.  InputError by name for what cannot be used.
     """
+    if omega_0 is not None:
+        if mass is not None or stiffness is not None:
+            raise InputError("omega_0", "it stands next to the mass or the stiffness", "either, not both")
+        mass, stiffness = exact_number(1, "mass"), omega_0 * omega_0
     _require_doubles(resolution=resolution, mass=mass, stiffness=stiffness)
-    read = read_columns(table)
+    read = read_columns(table, unit)
     columns, quantity, notes = read.values, read.quantity, read.notes
-    known = columns.get("resolution")
-    if resolution is not None:
-        if known is not None:
-            raise InputError("resolution", "the table has a column of that name", "one of the two")
-        # In the unit in which the file has the quantity.
-        known = np.full(len(columns["amplitude"]), read.size * double_of(resolution))
+    known = _known(read, resolution)
     spread = None if known is None else _positive(known, "resolution")
     given = _positive(columns["amplitude"], "A")
     ends, between = (float(given.min()), float(given.max())), quantity in CLOCKS
@@ -85,16 +87,13 @@ def law_of_table(
         notes = (*notes, *said)
         used |= {name: columns[name].tolist() for name in ("omega", *PHASE) if name in columns}
     used |= {} if spread is None else {"resolution": spread.tolist()}
+    if spring is not None and (between or driven):
+        what = "amplitudes at times are" if between else "a driven table is"
+        raise InputError("spring", f"{what} read with a linear one", "a table of zeta, Q, decrement")
     if between:
-        if spring is not None:
-            raise InputError(
-                "spring", "amplitudes at times are read with a linear one", "a table of zeta, Q, decrement"
-            )
         places, values, spread, said = _losses(columns, quantity, spread, mass, stiffness)
         quantity, notes = "decrement", (*notes, *said)
     elif driven:
-        if spring is not None:
-            raise InputError("spring", "a driven table is read with a linear one", "a table of zeta, Q, decrement")
         places, values, spread, said = as_losses(columns, spread, mass, stiffness)
         quantity, notes = "zeta", (*notes, *said)
     else:
@@ -121,10 +120,24 @@ def law_of_table(
     elif spread is None:
         notes += ("no resolutions: taken equal, as large as the best candidate needs, so none is refuted by chance",)
     turning = spring == PENDULUM or read.unit in ANGLES
-    frame = BARE if mass is None else Frame("rad" if turning else "m", "s")
+    # Of amplitudes without a unit b/m is told in their own.
+    length = "rad" if turning else "m" if read.unit or omega_0 is None else "(unit of x)"
+    frame = BARE if mass is None else Frame(length, "s")
     off = None if driven else _neglected(problem, found[0], ends)
     relative = inf if spread is None and len(values) == 1 else float(np.median(s / zeta))
-    return DampingLaw(problem, found, len(given), ends, off, relative, frame, (*notes, *skipped), used)
+    notes = (*notes, *skipped)
+    return DampingLaw(problem, found, len(given), ends, off, relative, frame, notes, used, per_mass=omega_0 is not None)
+
+
+def _known(read: Columns, resolution: ExactReal | None) -> Any:
+    """The errors of what is measured: of the column, or the one that is said; None without any."""
+    known = read.values.get("resolution")
+    if resolution is None:
+        return known
+    if known is not None:
+        raise InputError("resolution", "the table has a column of that name", "one of the two")
+    # In the unit in which the file has the quantity.
+    return np.full(len(read.values["amplitude"]), read.size * double_of(resolution))
 
 
 def _with_phase(columns: dict[str, Any], known: bool) -> tuple[dict[str, Any], tuple[str, ...]]:
@@ -165,13 +178,17 @@ def _losses(
     if clock == "t" and mass is None:
         named = (
             "t is omega_0 t, for want of a mass and a stiffness; of t in s epsilon_1 is b/m in 1/s all the same, and "
-            "mass 1 with stiffness (2 pi/period)^2 gives b/m of every law"
+            "mass 1 with stiffness (2 pi/period)^2 (identify: --omega0 2 pi/period) gives b/m of every law"
         )
+    told = (named,)
+    if len(values) == 1 and (clock != "t" or mass is not None):
+        d = float(values[0])
+        told += (f"between the two: decrement of a cycle {d:.4g}, zeta {d / (2 * np.pi):.4g}, Q {np.pi / d:.4g}",)
     if spread is None:
-        return both, values, None, (named,)
+        return both, values, None, told
     # The errors of both amplitudes; that neighbours share one is neglected.
     error = np.hypot(spread[:-1] / size[:-1], spread[1:] / size[1:]) / (of_one * np.diff(count))
-    return both, values, error, (named,)
+    return both, values, error, told
 
 
 def _positive(values: Any, name: str) -> Any:

@@ -4,16 +4,20 @@ Estimates in doubles (``inverse_damping``); what the first order neglects is mea
 """
 
 from dataclasses import dataclass, field
+from fractions import Fraction
 from math import isnan
 from typing import Any
 
 from asymptotics.decays.identification.forward.candidates import loss_in_words
 from asymptotics.decays.identification.inverse_damping import DampingCandidate, Problem, Strength
 from asymptotics.decays.identification.judging.grades import off
+from asymptotics.decays.identification.telling.record_units import unit_of_strength
+from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, NONE, SEVERAL, UNDECIDED, Verdict
 from asymptotics.errors import require_choice
 from asymptotics.frames import Frame
 from asymptotics.present.percent import at_most, percent
 from asymptotics.present.shown import Page, Rows
+from asymptotics.terms_given import PENDULUM
 
 UNTESTED = "not tested"
 """The grade of the laws of one strength beside one loss: each meets it."""
@@ -25,7 +29,8 @@ _SHOWN = 4
 class DampingLaw(Rows):
     """``laws``: the candidates, best first; ``neglected``: what the first order lacks of the motion, relative, at most.
 
-    ``resolution``: of the values, relative, the median; ``frame``: strengths are b in its units, or epsilon.
+    ``resolution``: of the values, relative, the median; ``frame``: strengths are b in its units, or epsilon;
+    ``per_mass``: they are b/m, where the frequency alone is known.
     ``verdict`` says in words what the table tells and what not.  ``table``: the columns that were used, in m or rad.
     """
 
@@ -38,6 +43,7 @@ class DampingLaw(Rows):
     frame: Frame
     notes: tuple[str, ...] = field(default=(), compare=False)
     table: dict[str, list[float]] = field(default_factory=dict, compare=False)
+    per_mass: bool = False
 
     @property
     def best(self) -> DampingCandidate:
@@ -50,17 +56,22 @@ class DampingLaw(Rows):
         return named[require_choice(name, "name", named)]
 
     @property
-    def verdict(self) -> str:
-        """The law, how good it is, its strengths, and what the table cannot tell."""
+    def verdict(self) -> Verdict:
+        """The law, how good it is, its strengths, and what the table cannot tell; of which kind that is."""
         best = self.best
+        # Of its own grade, and not merely the same law with a term too many.
+        others = [c.name for c in self.laws[1:] if c.grade == best.grade and not c.unneeded]
         if best.grade == UNTESTED:
-            return f"one loss tests no law: {' or '.join(self._shown(s) for c in self.laws for s in c.strengths)}"
+            told = " or ".join(self._shown(s) for c in self.laws for s in c.strengths)
+            return Verdict(UNDECIDED, f"one loss tests no law: {told}")
+        kind = NONE if best.grade == "refuted" else SEVERAL if others else IDENTIFIED
+        return Verdict(kind, self._told(best, others))
+
+    def _told(self, best: DampingCandidate, others: list[str]) -> str:
         head = f"{_words(best)}: {best.grade_in_words()}"
         if best.grade == "refuted":
             head = f"no candidate fits; nearest is {_words(best)}, whose damping is {off(best.left)} (root mean square)"
         parts = [head, ", ".join(self._shown(s) for s in best.strengths)]
-        # Of its own grade, and not merely the same law with a term too many.
-        others = [c.name for c in self.laws[1:] if c.grade == best.grade and not c.unneeded]
         unsaid = [] if not others or best.grade == "refuted" else [f"it from {' or '.join(others[:_SHOWN])}"]
         wider = [c for c in self.laws if c.unneeded and best.name != c.name and c.grade == "consistent"]
         for c in wider[:1]:
@@ -70,20 +81,25 @@ class DampingLaw(Rows):
         return "; ".join([*parts, *([f"the table cannot tell {', nor '.join(unsaid)}"] if unsaid else [])])
 
     def _unit(self, s: Strength) -> str:
-        unit = self.frame.unit_of_loss(s.alpha)
+        unit = (
+            unit_of_strength(float(Fraction(s.alpha)), 0, self.frame.x, False)
+            if self.per_mass
+            else self.frame.unit_of_loss(s.alpha)
+        )
         return f" {unit}" if unit else ""
 
     def _shown(self, s: Strength) -> str:
-        letter = "b" if self.frame else "epsilon"
+        letter = "b/m" if self.per_mass else "b" if self.frame else "epsilon"
         ends = "" if isnan(s.low) else f" [{s.low:.4g}, {s.high:.4g}]"
         return f"{letter}_{s.alpha} = {s.estimate:.4g}{ends}{self._unit(s)}"
 
     def to_dict(self) -> dict[str, Any]:
         """JSON-ready: numbers are strings."""
+        pendulum, verdict = self.problem.spring == PENDULUM, self.verdict
         laws = [
             {
-                "law": c.name, "grade": c.grade, "told": c.grade_in_words(), "left": f"{c.left:.4g}",
-                "p_value": f"{c.p:.4g}",
+                "law": c.name, "pendulum": pendulum, "grade": c.grade, "told": c.grade_in_words(),
+                "left": f"{c.left:.4g}", "p_value": f"{c.p:.4g}",
                 "chi_squared": f"{c.chi_squared:.6g}", "criterion": f"{c.criterion:.6g}", "unneeded": list(c.unneeded),
                 "strengths": [
                     {"alpha": s.alpha, "low": _end(s.low), "estimate": repr(s.estimate), "high": _end(s.high)}
@@ -94,7 +110,8 @@ class DampingLaw(Rows):
         ]  # fmt: skip
         low, high = self.amplitudes
         return {
-            "verdict": self.verdict, "quantity": self.problem.quantity, "points": self.points,
+            "verdict": verdict.text, "verdict_kind": verdict.kind, "untried": [],
+            "quantity": self.problem.quantity, "points": self.points,
             "amplitudes": [repr(low), repr(high)], "laws": laws, "si": bool(self.frame), "certified": False,
             "neglected": None if self.neglected is None else f"{self.neglected:.2g}", "notes": list(self.notes),
         }  # fmt: skip
@@ -104,7 +121,7 @@ class DampingLaw(Rows):
             f"{c.name:8} {c.grade_in_words():32} {', '.join(self._shown(s) for s in c.strengths)}".rstrip()
             for c in self.laws
         ]
-        return "\n".join([self.verdict, *lines, *self._worth()])
+        return "\n".join([self.verdict.text, *lines, *self._worth()])
 
     def _worth(self) -> list[str]:
         told = "intervals: profiles, 95 %; estimates in doubles of the first-order law"
@@ -116,7 +133,7 @@ class DampingLaw(Rows):
 
     def _page(self) -> Page:
         rows = tuple((c.name, c.grade_in_words(), ", ".join(self._shown(s) for s in c.strengths)) for c in self.laws)
-        return Page(self.verdict, tuple(self._worth()), ("law", "grade", "strengths [95 %]"), rows)
+        return Page(self.verdict.text, tuple(self._worth()), ("law", "grade", "strengths [95 %]"), rows)
 
     def _table(self) -> dict[str, list[Any]]:
         rows = [(c, s) for c in self.laws for s in c.strengths]

@@ -16,6 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from asymptotics.decays.records.error_names import errors_beside
+from asymptotics.decays.records.peaks import numbers_peaks
 from asymptotics.decays.records.units import ACCELERATIONS, SECONDS, SPEEDS, UNITS, suffix, without_run
 from asymptotics.errors import InputError, shown
 
@@ -92,6 +93,8 @@ def quantity(name: str) -> str:
     >>> [quantity(n) for n in ("gx", "gyroZ", "AccX", "millis", "position", "x_fit")]
     ['velocity', 'velocity', 'acceleration', 'time', 'position', 'computed']
     """
+    if numbers_peaks(name):
+        return "n"
     unit = suffix(name)
     # What stands before a colon is the run or the point that was followed.
     label = re.sub(r"[\[(][^\])]*[\])]\s*\Z", "", without_run(name)).rpartition(": ")[2]

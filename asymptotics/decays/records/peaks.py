@@ -42,6 +42,12 @@ _HIDDEN, _SWINGING = 5.0, 10.0
 """Standard errors below which an amplitude is its noise, as for extremes (``extraction``); and above which what follows
 is none, but swings."""
 _CYCLES = re.compile(r"\bcycles?\b", re.IGNORECASE)
+_ONE = r"(?:peak|maxim(?:um|a)|crest|cycle|period|oscillation|scheitel|schwingung|periode|pic|pico|oscilaci[o\u00f3]n)"
+_NUMBERED = re.compile(
+    rf"{_ONE}(?:s|en)?[ _.-]*(?:(?:number|nummer|numero|num|count|index|idx|nr|no)\.?|#)|oscillations|schwingungen"
+    rf"|(?:number of|anzahl|no\. of|#)\s*(?:the\s+)?{_ONE}(?:s|en|n)?",
+    re.IGNORECASE,
+)
 _PEAKS, _TURNS, LEAST, _MOST, _FALLING, _EVEN, _FALLS, _APART, _TWICE = 2, 3, 5, 500, 0.8, 0.15, -0.9, 1.5, 0.2
 """Rows that are peaks of one side, turning points of both, and samples of an envelope; more are no peaks; the share of
 steps that fall; by how much of a period a peak may be off its place; the correlation of an envelope with the time; how
@@ -135,10 +141,19 @@ def is_double(name: str) -> bool:
 def counts_cycles(name: str) -> bool:
     """Whether a column counts whole cycles, each of two half-swings.
 
-    >>> counts_cycles("cycle"), counts_cycles("Cycles (n)"), counts_cycles("n")
-    (True, True, False)
+    >>> [counts_cycles(name) for name in ("cycle", "Cycles (n)", "n", "peak number", "period (s)")]
+    [True, True, False, True, False]
     """
-    return bool(_CYCLES.search(name))
+    return bool(_CYCLES.search(name)) or numbers_peaks(name)
+
+
+def numbers_peaks(name: str) -> bool:
+    """Whether a column numbers the peaks of one side, or what else comes once in a period.
+
+    >>> [numbers_peaks(n) for n in ("peak number", "Peak #", "no. of oscillations", "Schwingung Nr.", "peak", "period")]
+    [True, True, True, True, False, False]
+    """
+    return bool(_NUMBERED.fullmatch(name.strip()))
 
 
 def rows_above_noise(x: Array) -> int:

@@ -61,7 +61,7 @@ def test_differences_of_amplitudes_stay_what_they_were_and_say_so():
     ("option", "named"),
     [
         ("--springs 3", "--springs"), ("--amplitudes 0.1:0.5", "--amplitudes"), ("--amplitudes-only", "--amplitudes"),
-        ("--omega0 2", "--omega0"), ("--modes 2", "--modes"), ("--rate 5", "--rate"), ("--unit mm", "--unit"),
+        ("--omega0 2 --mass 1 --stiffness 4", "--omega0"), ("--modes 2", "--modes"), ("--rate 5", "--rate"),
         ("--kind damping --columns x=1", "--columns"), ("--mass 2", "--stiffness"), ("--plot a.svg", "--plot"),
         ("--laws free", "FILE"), ("--kind record", "FILE"),
     ],
@@ -140,3 +140,51 @@ def test_two_places_beside_a_ratio_are_asked_for(tmp_path):
     path.write_text("x (cm);y (cm);zeta\n1;2;0.01\n2;3;0.02\n3;4;0.03\n")
     with pytest.raises(InputError):
         asy.identify(path)
+
+
+def test_the_frequency_alone_tells_b_over_m_in_the_unit_that_is_said():
+    # failed before: "argument omega_0: means nothing for a table of damping", and the same of the unit
+    table = {"t": [0, 10], "A": [5, 3]}
+    found = asy.identify(table, kind="damping", omega_0=6, unit="cm")
+    assert found == asy.identify({"t": [0, 10], "A (cm)": [5, 3]}, omega_0=6)  # the kind is seen, too
+    assert "b/m_1 = 0.1022 1/s" in found.verdict.text and "b/m_2 = 0.5236 1/m" in found.verdict.text
+    si = damping_law({"t": [0, 10], "A [cm]": [5, 3]}, mass=1, stiffness=36)
+    assert [law.strengths for law in found.laws] == [law.strengths for law in si.laws]
+    assert any("Q 58.73" in note for note in found.notes)
+    assert "b/m_2 = 0.005236 1/(unit of x)" in asy.identify(table, omega_0=6).verdict.text
+    with pytest.raises(InputError, match="unit: mm contradicts the column"):
+        asy.identify({"t": [0, 10], "A (cm)": [5, 3]}, unit="mm")
+
+
+def test_two_amplitudes_under_a_letter_are_no_neighbouring_peaks(tmp_path):
+    # failed before: "2 rows with numbers that change (accepted: 14 samples ...)"
+    path = tmp_path / "two.txt"
+    path.write_text("t A\n0 5\n10 3\n")
+    assert asy.identify(path) == damping_law(path)
+    # amplitudes further apart than the period that is said were refused
+    assert isinstance(asy.identify({"t": [0, 10, 20], "amplitude": [5, 3, 2]}, omega_0=6), asy.DampingLaw)
+    near = asy.identify({"t": [0, 1.1], "amplitude": [5, 3]})
+    assert isinstance(near, asy.Identification)
+    assert len(near.to_dict()["envelope"]["quality"]) == 1  # three amplitudes before, with one and the same Q
+
+
+def test_the_verdict_is_of_one_type_and_json_has_what_every_identification_has():
+    for resolution, kind in ((0.0002, "identified"), (0.002, "several laws are consistent")):
+        found = asy.identify({"A": A, "zeta": ZETA}, noise=resolution)
+        assert type(found.verdict).__name__ == "Verdict" and found.verdict.kind == kind
+        told = found.to_dict()
+        assert told["verdict"] == found.verdict.text and told["untried"] == []
+        assert {law["pendulum"] for law in told["laws"]} == {False}
+    pendulum = damping_law({"A": A, "zeta": ZETA}, spring="pendulum").to_dict()
+    assert {law["pendulum"] for law in pendulum["laws"]} == {True}
+
+
+@pytest.mark.parametrize("name", ["peak number", "Peak #", "Schwingung Nr.", "number of oscillations"])
+def test_a_number_of_the_peak_counts_periods(tmp_path, name):
+    # failed before: "what is measured is not clear"
+    path = tmp_path / "peaks.csv"
+    path.write_text(f"{name},amplitude\n" + "".join(f"{i},{5 * 0.9**i:.4f}\n" for i in range(7)))
+    found = asy.identify(path, laws=["1", "2"], bootstrap=False)
+    middle = found.to_dict()["envelope"]["quality"][1]
+    assert abs(float(middle["estimate"]) / (np.pi / np.log(1 / 0.9)) - 1) < 0.001
+    assert damping_law(path, laws="1").laws[0].strengths[0].estimate == pytest.approx(np.log(1 / 0.9) / np.pi, rel=1e-3)

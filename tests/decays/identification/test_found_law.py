@@ -25,22 +25,22 @@ def law(*candidates, frame=BARE):
 
 def unsaid(*candidates, frame=BARE):
     """What the table cannot tell, as the verdict says it."""
-    _, _, found = law(*candidates, frame=frame).verdict.partition("the table cannot tell ")
+    _, _, found = law(*candidates, frame=frame).verdict.text.partition("the table cannot tell ")
     return found
 
 
 def test_one_law_that_fits_is_named_with_its_strengths():
-    found = law(candidate("1+2"), candidate("1", "refuted")).verdict
+    found = law(candidate("1+2"), candidate("1", "refuted")).verdict.text
     assert found.startswith("viscous drag and drag in v^2: ")
     assert found.endswith("epsilon_1 = 0.03 [0.01, 0.05], epsilon_2 = 0.04 [0.01, 0.06]")
 
 
 def test_where_nothing_fits_the_nearest_is_named_with_what_it_leaves():
     found = law(candidate("7", "refuted"), candidate("1", "refuted"))
-    assert found.verdict.startswith(
+    assert found.verdict.text.startswith(
         "no candidate fits; nearest is drag in v^(7), whose damping is 12 % off on average (root mean square);"
     )
-    assert "cannot tell" not in found.verdict
+    assert "cannot tell" not in found.verdict.text
 
 
 def test_rivals_of_the_same_grade_are_told_but_for_those_with_a_term_too_many():
@@ -62,7 +62,7 @@ def test_of_a_wider_law_the_terms_that_may_be_none_are_told_with_their_limits():
 
 @pytest.mark.parametrize(("alpha", "unit"), [("0", "N"), ("1", "N s/m"), ("2", "N (s/m)^2")])
 def test_strengths_in_si_have_their_units(alpha, unit):
-    found = law(candidate(alpha), frame=METRES).verdict
+    found = law(candidate(alpha), frame=METRES).verdict.text
     assert found.endswith(f"b_{alpha} = {0.02 + int(alpha) / 100:.4g} [0.01, {0.04 + int(alpha) / 100:.4g}] {unit}")
     assert unsaid(candidate("3"), candidate(f"3+{alpha}", low=0.0), frame=METRES).endswith(f" {unit} from none")
 
@@ -80,7 +80,7 @@ def test_every_entry_of_the_json_and_every_row_of_the_table():
     found = law(candidate("1+2", low=0.0), candidate("3", "refuted"), frame=METRES)
     told = found.to_dict()
     assert told["laws"][0] == {
-        "law": "1+2", "grade": "consistent", "told": "consistent", "left": "0.123", "p_value": "0.5",
+        "law": "1+2", "pendulum": False, "grade": "consistent", "told": "consistent", "left": "0.123", "p_value": "0.5",
         "chi_squared": "1", "criterion": "1", "unneeded": ["2"],
         "strengths": [
             {"alpha": "1", "low": "0.01", "estimate": "0.03", "high": "0.05"},
@@ -91,13 +91,13 @@ def test_every_entry_of_the_json_and_every_row_of_the_table():
         "quantity": "zeta", "points": 8, "amplitudes": ["0.1", "0.8"], "si": True, "certified": False,
         "neglected": "0.01", "notes": [],
     }  # fmt: skip
-    assert told["verdict"] == found.verdict and [entry["law"] for entry in told["laws"]] == ["1+2", "3"]
+    assert told["verdict"] == found.verdict.text and [entry["law"] for entry in told["laws"]] == ["1+2", "3"]
     assert found._table() == {
         "law": ["1+2", "1+2", "3"], "grade": ["consistent", "consistent", "refuted"], "alpha": ["1", "2", "3"],
         "strength": [0.03, 0.04, 0.05], "strength_low": [0.01, 0.0, 0.01], "strength_high": [0.05, 0.06, 0.07],
     }  # fmt: skip
     page = found._page()
-    assert (page.title, page.head) == (found.verdict, ("law", "grade", "strengths [95 %]"))
+    assert (page.title, page.head) == (found.verdict.text, ("law", "grade", "strengths [95 %]"))
     assert page.rows == (
         ("1+2", "consistent", "b_1 = 0.03 [0.01, 0.05] N s/m, b_2 = 0.04 [0, 0.06] N (s/m)^2"),
         ("3", "refuted", "b_3 = 0.05 [0.01, 0.07] N (s/m)^3"),
@@ -110,6 +110,6 @@ def test_the_strengths_behind_angles_are_torques():
     table = {"A [deg]": [5, 10, 20, 40], "zeta": [0.0120, 0.0141, 0.0178, 0.0261]}
     for spring in (None, "pendulum"):
         found = damping_law(table, laws=["1+2"], mass=2, stiffness=3, spring=spring)
-        assert " N m s, " in found.verdict and found.verdict.endswith("N m (s/rad)^2")
+        assert " N m s, " in found.verdict.text and found.verdict.text.endswith("N m (s/rad)^2")
     metres = damping_law({"A": [1, 2], "zeta": [0.01, 0.02]}, laws=["1"], mass=2, stiffness=3)
-    assert " N s/m" in metres.verdict and " N m s" not in metres.verdict
+    assert " N s/m" in metres.verdict.text and " N m s" not in metres.verdict.text

@@ -154,6 +154,8 @@ def envelope(seen: Observations) -> MeasuredEnvelope | None:
         return None
     times = _turning_times(seen, inside, size, turns, decline) if seen.has_times else None
     ends = np.array([size[0], np.sqrt(size[0] * size[-1]), size[-1]])
+    # One loss between two amplitudes is one number, that of the middle, whatever the law is.
+    ends = ends[1:2] if len(n) == 2 and not known else ends
     unknown = seen.without_frequency
     quality = () if unknown else tuple(_quality(float(a), decline(float(a)), seen.stride) for a in ends)
     period = None if times is None else _period(times)
