@@ -43,6 +43,9 @@ _DEGREE, _LEFT, _ERRORS = 4, 0.06, 4.0
 swings nowhere by more than this share of the largest swing, beside so many errors of an amplitude.  Of 111 beats
 (linear ones; pairs of decays of alpha = 0, 1, 2; two coupled bodies) it is 0.049 at most; of 388 records with two or
 three releases 0.072 at least.  A choice."""
+_LOUD = 4.0
+"""The rise of a beat exceeds so many times the median of these swings: of noise alone the largest of a hundred is
+about 2.7 times their median (Rayleigh's distribution)."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +93,12 @@ def near_modes(t: Array, x: Array) -> NearModes | None:
         return None
     if size[weak] < _LEAST * size[strong] or abs(turn[0] - turn[1]) < 2 * np.pi * _TURN:
         return None
-    if _unexplained(t, y, waves, seen.period) > _LEFT * float(seen.size.max()) + _ERRORS * seen.noise:
+    left = _unexplained(t, y, waves, seen.period)
+    if float(left.max()) > _LEFT * float(seen.size.max()) + _ERRORS * seen.noise:
+        return None
+    # Noise that remembers swings at the frequency of the motion more than the samples scatter, and no less where that
+    # is at rest: then it rises, and a decay that ends is half a beat.
+    if _rise(seen) < _LOUD * float(np.median(left)):
         return None
     g, w = fall / span, turn / span
     return NearModes(
@@ -101,10 +109,20 @@ def near_modes(t: Array, x: Array) -> NearModes | None:
 
 def _rises(seen: Swings) -> bool:
     """Whether the swings fall and rise again: what only rises before it falls may be driven, then let go."""
-    size, some = seen.size, NOISE * seen.noise
-    fallen = _RISE * size + some < np.maximum.accumulate(size)
-    lowest = np.minimum.accumulate(np.where(fallen, size, np.inf))
-    return bool((size > _RISE * lowest + some).any())
+    lowest = _lowest(seen)
+    return bool((seen.size > _RISE * lowest + NOISE * seen.noise).any())
+
+
+def _rise(seen: Swings) -> float:
+    """By how much they do."""
+    return float((seen.size - _lowest(seen)).max())
+
+
+def _lowest(seen: Swings) -> Array:
+    """The least swing up to each window, of those that have fallen; infinite before."""
+    size = seen.size
+    fallen = _RISE * size + NOISE * seen.noise < np.maximum.accumulate(size)
+    return np.asarray(np.minimum.accumulate(np.where(fallen, size, np.inf)))
 
 
 def _poles(z: Array) -> Array:
@@ -134,9 +152,9 @@ def _waves(u: Array, fall: Array, turn: Array) -> Array:
     return np.stack([np.ones(len(u)), u, *each], axis=1)
 
 
-def _unexplained(t: Array, y: Array, waves: Array, period: float) -> float:
-    """The largest swing of what the two modes leave, each of them modulated."""
+def _unexplained(t: Array, y: Array, waves: Array, period: float) -> Array:
+    """The swings of what the two modes leave, each of them modulated."""
     slow = np.polynomial.chebyshev.chebvander(2 * (t - t[0]) / (t[-1] - t[0]) - 1, _DEGREE)
     columns = np.concatenate([waves[:, :2], (waves[:, 2:, None] * slow[:, None, :]).reshape(len(t), -1)], axis=1)
     left = y - columns @ np.linalg.lstsq(columns, y, rcond=_DEPENDENT)[0]
-    return float(swings(t, left, period)[1].max())
+    return swings(t, left, period)[1]

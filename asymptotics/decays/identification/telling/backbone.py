@@ -1,8 +1,9 @@
 """The backbone of a record: its period at the amplitudes of the data, before any law.
 
 The time of a half-swing is half the period at its amplitude, T(A) = c_0 and powers 1, 2 and 4 of A (a spring x|x|, a
-cubic or fifth one, a pendulum), two of them at most, by AICc; sums over the swings are fitted to the turning times,
-which forgives noise.  What a loss does to the period is of second order in its strength, and stands in T as it is.
+cubic or fifth one, a pendulum), two of them at most; each choice has the weight of its AICc (``averaged``).  Sums over
+the swings are fitted to the turning times, which forgives noise.  What a loss does to the period is of second order in
+its strength, and stands in T as it is.
 
 Turning times that are measured late by dry friction, of strength f/A by late f, are late by more and more as A sinks,
 and a period of them is too long.  How much of that friction there is the amplitudes tell (``Decline.friction``): the
@@ -19,18 +20,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import stdtrit
 
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc, memory_factor
 from asymptotics.decays.identification.measuring.observations import Indices
+from asymptotics.decays.identification.telling.averaged import NORMAL, Told, averaged, united
 
 Row = dict[str, float]
-NORMAL = 1.96
-"""Of the normal distribution, for errors that are known."""
-_POWERS, _LEAST, _NEAR = ((0,), (0, 1), (0, 2), (0, 4), (0, 2, 4), (0, 1, 2)), 8, 6.0
-"""Of A; turning times below which there is no error; and the AICc above the best up to which a
-choice is believed too."""
+_POWERS, _LEAST = ((0,), (0, 1), (0, 2), (0, 4), (0, 2, 4), (0, 1, 2)), 8
+"""Of A, and turning times below which there is no error."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +53,11 @@ class TurningTimes:
         """The times without what they are late."""
         return self.t if self.late is None or self.friction is None else self.t - self.late * self.friction["estimate"]
 
+    @property
+    def unsure(self) -> float:
+        """The standard error of the friction."""
+        return 0.0 if self.friction is None else (self.friction["high"] - self.friction["low"]) / (2 * NORMAL)
+
     def fitted(self, columns: list[Array]) -> "_Fitted":
         """1 and the columns, by least squares in units of the errors."""
         alike = np.diag(np.ones(len(self.t)) if self.weight is None else self.weight)
@@ -68,35 +71,32 @@ class TurningTimes:
         noise = max(rss / max(freedom, 1), known)
         if self.root is None:
             value = float(aicc(len(y) * np.log(noise), V.shape[1] + 1, len(y)))
-            reach = noise * memory_factor(left) * float(stdtrit(max(freedom, 1), 0.975)) ** 2
+            noise, spare = noise * memory_factor(left), float(max(freedom, 1))
         else:  # a line of few degrees has no more errors than them, and tells no more coefficients
-            value, reach = rss + 2 * V.shape[1] if freedom > 0 else np.inf, noise * NORMAL**2
+            value, spare = rss + 2 * V.shape[1] if freedom > 0 else np.inf, np.inf
         moved = np.zeros(len(c)) if self.late is None else -(inverse @ (white @ self.late))
-        return _Fitted(value, c[1:], (inverse @ inverse.T)[1:, 1:] * reach, moved[1:])
+        return _Fitted(value, spare, c[1:], (inverse @ inverse.T)[1:, 1:] * noise, moved[1:])
 
-    def row(self, amplitude: float, each: list[tuple[float, float, float]]) -> Row:
-        """The value of the first of (value, error, change with friction), and the interval of all of them."""
-        f = self.friction or {"low": 0.0, "estimate": 0.0, "high": 0.0}
-        low, high = np.inf, -np.inf
-        for value, error, moved in each:
-            ends = [moved * (f[k] - f["estimate"]) for k in ("low", "high")]
-            low = min(low, value - float(np.hypot(error, min(*ends, 0.0))))
-            high = max(high, value + float(np.hypot(error, max(*ends, 0.0))))
-        return {"amplitude": amplitude, "low": low, "estimate": each[0][0], "high": high}
+    def row(self, amplitude: float, each: list[tuple["_Fitted", Array]]) -> Row:
+        """What the fits say, each of its coefficients in these proportions, and what the friction leaves open."""
+        return {"amplitude": amplitude, **averaged([fit.told(by, self.unsure) for fit, by in each])}
 
 
 @dataclass(frozen=True)
 class _Fitted:
-    """The criterion; the coefficients but the first; their covariance times the square of the quantile; and how they
+    """The criterion, and the freedoms of the noise; the coefficients but the first; their covariance; and how they
     change with a friction."""
 
     criterion: float
+    freedom: float
     c: Array
     covariance: Array
     moved: Array
 
-    def at(self, by: Array) -> tuple[float, float, float]:
-        return float(by @ self.c), float(np.sqrt(by @ self.covariance @ by)), float(by @ self.moved)
+    def told(self, by: Array, unsure: float) -> Told:
+        """The sum of the coefficients in these proportions; ``unsure``: the standard error of the friction."""
+        error = float(np.sqrt(by @ self.covariance @ by))
+        return Told(float(by @ self.c), float(np.hypot(error, by @ self.moved * unsure)), self.criterion, self.freedom)
 
 
 def backbone(times: TurningTimes) -> list[Row]:
@@ -114,22 +114,17 @@ def period_at(times: TurningTimes) -> Callable[[float], Row] | None:
     middle = np.sqrt(size[1:] * size[:-1]) / size[0]
     sums = {k: np.concatenate([[0.0], np.cumsum(np.diff(n) * middle**k)]) / 2 for k in (0, 1, 2, 4)}
     found = [(powers, times.fitted([sums[k] for k in powers])) for powers in _POWERS]
-    least = min(fit.criterion for _, fit in found)
-    near = sorted((f for f in found if f[1].criterion < least + _NEAR), key=lambda f: f[1].criterion)
-
-    if not near:
+    found = [(powers, fit) for powers, fit in found if np.isfinite(fit.criterion)]
+    if not found:
         return None
 
     def at(amplitude: float) -> Row:
-        by = {powers: np.array([(amplitude / size[0]) ** k for k in powers]) for powers, _ in near}
-        return times.row(amplitude, [fit.at(by[powers]) for powers, fit in near])
+        place = amplitude / size[0]
+        return times.row(amplitude, [(fit, np.array([place**k for k in powers])) for powers, fit in found])
 
     return at
 
 
 def mean_period(times: TurningTimes) -> Row:
     """Twice the slope of at least three turning times, each as good as the other: its chirp widens the interval."""
-    found = times.fitted([times.n / 2])
-    value, error, moved = found.at(np.ones(1))
-    row = times.row(0.0, [(value, error, moved)])
-    return {name: row[name] for name in ("low", "estimate", "high")}
+    return united([times.fitted([times.n / 2]).told(np.ones(1), times.unsure)])

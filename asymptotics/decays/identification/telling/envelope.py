@@ -2,8 +2,8 @@
 
 In a half-swing ln A falls by a sum of powers of A (from 1/A to A^3; which of them, by AICc), and Q = pi/2 over this
 fall, at the first amplitude, the last and the geometric mean of both, with 95 % intervals of the regression.  No law of
-motion enters, and no spring: it is told for every record that swings, whatever the verdict is.  The intervals are those
-of all choices of powers whose AICc is near that of the best.  Of four turning points and fewer the samples tell more: a
+motion enters, and no spring: it is told for every record that swings, whatever the verdict is.  The intervals are
+averages over the choices of powers (``averaged``).  Of four turning points and fewer the samples tell more: a
 damped cosine is fitted to them (``damped_cosine``); where there are none, one power at a time.  Of two or three turning
 points every power is believed; two have an interval where their errors are known.
 
@@ -31,11 +31,11 @@ from asymptotics.decays.identification.measuring.few_swings import swings
 from asymptotics.decays.identification.measuring.late_extremes import LINE_LATENESS
 from asymptotics.decays.identification.measuring.line_errors import LineTurns, line_turns
 from asymptotics.decays.identification.measuring.observations import Indices, Observations, Samples
-from asymptotics.decays.identification.telling.backbone import NORMAL, TurningTimes, backbone, mean_period, period_at
+from asymptotics.decays.identification.telling.averaged import NORMAL, Ends
+from asymptotics.decays.identification.telling.backbone import TurningTimes, backbone, mean_period, period_at
 from asymptotics.decays.identification.telling.decline import (
     LEAST,
     Decline,
-    Ends,
     decline_of,
     decline_of_few,
 )

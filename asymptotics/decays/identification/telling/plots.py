@@ -213,7 +213,7 @@ def _residuals(axes: Any, law: Judged) -> None:
         head(axes, [f"residuals of {law.candidate}"])
         return
     seen, abscissa = fit.model.seen, "turning point n"
-    numbers: dict[str, Array] = {"x": seen.n, "t": seen.n, "passage": seen.passage_n}
+    numbers: dict[str, Any] = {"x": seen.n, "t": seen.n, "passage": seen.passage_n}
     clock = seen.time_unit or "s"
     if seen.has_times:
         abscissa = f"t ({clock})"

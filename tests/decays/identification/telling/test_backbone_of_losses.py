@@ -36,6 +36,15 @@ CASES = {
     "strong drag, short": (lambda tau: drag(tau, 0.075), 12, 25, 0.003, PERIOD / np.sqrt(1 - 0.075**2 / 4)),
 }
 
+LONG = {
+    "dry, smooth line": 1.7e-3,
+    "dry, few samples": 7e-4,
+    "dry, extremes": 1.1e-4,
+    "strong drag, short": 3.5e-3,
+}
+"""Half-widths, of the period.  When the intervals of all choices of a spring were united, they were 2.0e-3, 1.02e-3,
+1.6e-4 and 5.1e-3, and held no more."""
+
 
 def periods(case, count=12):
     made, swings, per_period, noise, true = CASES[case]
@@ -60,7 +69,7 @@ def test_the_period_of_a_linear_spring_is_held_and_not_by_everything(case):
     error = [row["estimate"] / true - 1 for row in rows]
     reach = [(row["high"] - row["low"]) / 2 / true for row in rows]
     assert abs(np.median(error)) < 0.2 * np.median(reach)
-    assert np.median(reach) < 0.01
+    assert np.median(reach) < LONG[case]
 
 
 def test_near_miss_without_the_lateness_the_period_is_too_long(monkeypatch):

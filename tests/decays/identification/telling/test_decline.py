@@ -1,40 +1,71 @@
 """Q before any law of losses whose exponents are no whole numbers."""
 
-from math import gamma, pi, sqrt
+from math import exp, gamma, log, pi, sqrt
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from asymptotics.decays.identification.telling import decline
 
-DRAWN = 40
+DRAWN = 15
+
+
+def decay(alpha, epsilon, noise):
+    """Amplitudes, and the fall of ln A in a half-swing whose geometric mean is A: dA/dn = -pi <|sin|^(alpha+1)> epsilon
+    A^alpha, so that A^(1-alpha) is linear in n."""
+    rate = gamma(alpha / 2 + 1) * sqrt(pi) / gamma((alpha + 3) / 2) * epsilon
+    after = lambda a: (a ** (1 - alpha) - (1 - alpha) * rate) ** (1 / (1 - alpha))  # noqa: E731
+    size = [1.0]
+    while size[-1] > max(10 * noise, 0.05) and len(size) < 80:
+        size.append(after(size[-1]))
+    fall = lambda a: brentq(lambda s: log(a * exp(s / 2) / after(a * exp(s / 2))) - s, 1e-9, 1.2)  # noqa: E731
+    return np.array(size), fall
 
 
 def held(alpha, epsilon, noise):
-    """How many of the intervals at three amplitudes hold the fall of ln A of epsilon x'|x'|^(alpha-1)."""
-    mean = gamma(alpha / 2 + 1) / (sqrt(pi) * gamma((alpha + 3) / 2))
-    size = [1.0]
-    while size[-1] > 10 * noise and len(size) < 80:
-        # dA/dn = -pi <|sin|^(alpha+1)> epsilon A^alpha, exactly: A^(1-alpha) is linear in n.
-        size.append((size[-1] ** (1 - alpha) - (1 - alpha) * pi * mean * epsilon) ** (1 / (1 - alpha)))
-    n, size = np.arange(len(size)), np.array(size)
-    found = 0
+    """How many of the intervals at the geometric mean and the last amplitude hold the fall of ln A."""
+    size, fall = decay(alpha, epsilon, noise)
+    n, found = np.arange(len(size)), 0
     for seed in range(DRAWN):
         seen = size + noise * np.random.default_rng(seed).standard_normal(len(size))
-        fall = decline.decline_of(n, seen, 0.0, 1.0)
-        for a in (seen[0], sqrt(seen[0] * seen[-1]), seen[-1]):
-            ends = fall(float(a))
-            found += ends["low"] <= pi * mean * epsilon * a ** (alpha - 1) <= ends["high"]
-    return found / (3 * DRAWN)
+        told = decline.decline_of(n, seen, 0.0, 1.0)
+        for a in (sqrt(seen[0] * seen[-1]), seen[-1]):
+            ends = told(float(a))
+            found += ends["low"] <= fall(float(a)) <= ends["high"]
+    return found / (2 * DRAWN)
 
 
-@pytest.mark.parametrize(("alpha", "epsilon"), [(1.5, 0.04), (0.5, 0.01), (2.5, 0.08)])
-def test_exponents_between_have_their_q(monkeypatch, alpha, epsilon):
-    assert held(alpha, epsilon, 1e-3) > 0.9
-    monkeypatch.setattr(decline, "_HALVES", ())  # whole powers alone, as it was
-    assert held(alpha, epsilon, 1e-3) < 0.75
+@pytest.mark.parametrize(
+    ("alpha", "epsilon", "noise"),
+    [
+        (1.5, 0.04, 1e-3),
+        (0.5, 0.01, 1e-3),
+        (2.5, 0.08, 1e-3),
+        (4 / 3, 0.03, 3e-4),
+        (1.7, 0.04, 3e-4),
+        (1.25, 0.03, 3e-4),
+    ],
+)
+def test_exponents_between_have_their_q(monkeypatch, alpha, epsilon, noise):
+    """Failed before for the last three: of the intervals by 4/3, 17/10 and 5/4 0.30, 0.77 and 0.20 held."""
+    assert held(alpha, epsilon, noise) > 0.9
+    monkeypatch.setattr(decline, "_BESIDE", ())  # whole powers alone
+    assert held(alpha, epsilon, noise) < 0.9
 
 
 @pytest.mark.parametrize(("alpha", "epsilon"), [(2.0, 0.05), (3.0, 0.1), (1.0 + 1e-9, 0.02)])
 def test_whole_exponents_lose_nothing(alpha, epsilon):
     assert held(alpha, epsilon, 1e-3) > 0.9
+
+
+def test_dry_friction_of_a_seventh_of_the_spring_force_has_its_fall(monkeypatch):
+    """Failed before: A_n - A_(n+1) is 2 f exactly; to first order in f/A the loss of ln A is 0.4 % off at the end."""
+    n, f = np.arange(33), 0.0145
+    size = 1 - 2 * f * n
+    for seed in range(5):
+        seen = size + 1e-6 * np.random.default_rng(seed).standard_normal(len(n))
+        told, a = decline.decline_of(n, seen, 0.0, 1.0), float(seen[-1])
+        true = 2 * np.arcsinh(f / a)
+        assert abs(told(a)["estimate"] / true - 1) < 3e-4 < abs(2 * f / a / true - 1)
+        assert told.friction()["estimate"] == pytest.approx(f, rel=1e-4)
