@@ -31,8 +31,10 @@ _BESIDE, _STEPS, _WITHIN, _STILL = ((), (-1,), (0,)), 12, (-1.5, 4.0), 1e-6
 """What stands beside a power that is fitted, as of a loss whose exponent is no whole number; its steps from viscous
 drag on, what it may be, and a step that ends them.  Powers of halves and quarters in its place hold the fall by
 exponents 4/3 and 17/10 in 0 to 40 % of the intervals of decays in a noise of 0.0003."""
-_ROUGHLY = (-1, 0, 1)
-"""The powers of a first fit."""
+_ROUGHLY, _FAR_OFF = (-1, 0, 1), (-20.0, 5.0)
+"""The powers of a first fit; logarithms beyond which its curve is none."""
+_FOR_SCATTER = 6
+"""Third differences that tell a scatter.  A choice."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +98,7 @@ def decline_of(
     """
     # Of a few points all choices of one power have as many numbers: their sums of squares alone compare them.
     few = len(n) < LEAST
-    tried = _Logarithms(n, size, size / size[0] / error, root, stated, few)
+    tried = _Logarithms(n, size, error, root, stated, few)
     found = [tried.fall(c) for c in _choices(_POWERS, 1 if few else _TERMS)]
     if not few:
         found += [tried.free(beside) for beside in _BESIDE]
@@ -113,21 +115,39 @@ def _choices(powers: tuple[float, ...], most: int) -> list[tuple[float, ...]]:
 
 class _Logarithms:
     """The logarithms of amplitudes as sums over their half-swings; ``stated``: the error of an amplitude, of no use
-    where there is a ``root`` of the covariance."""
+    where there is a ``root`` of the covariance; ``error``: errors in proportion, those of logarithms, or 1 where the
+    amplitudes have errors that are alike.
 
-    def __init__(self, n: Indices, size: Array, weight: Array, root: Array | None, stated: float, few: bool) -> None:
+    Then a logarithm weighs as its amplitude, that of the curve: what a noise lifts would else weigh more than what it
+    lowers, and the curve would lie above them.  And the mean of ln(A + e) is ln A - sigma^2/(2 A^2).
+    """
+
+    def __init__(
+        self, n: Indices, size: Array, error: Array | float, root: Array | None, stated: float, few: bool
+    ) -> None:
         white = np.eye(len(size)) if root is None else np.linalg.pinv(root / size[0])
         self.known, self.few, self.stated = root is not None, few, stated / size[0]
-        self.gap, self.white, self.weight = np.diff(n), white, weight
+        self.gap, self.white = np.diff(n), white
         # The geometric mean is the amplitude in the middle.
         self.middle = np.sqrt(size[1:] * size[:-1]) / size[0]
-        self.ones, self.y = white @ weight, white @ (weight * np.log(size / size[0]))
         self.bent = np.ones(len(self.gap))
+        logarithm = np.log(size / size[0])
+        self._weigh(size / size[0] / error, logarithm)
         V = np.stack([self.ones, *(self.column(k) for k in _ROUGHLY)], axis=1)
-        s = np.stack([self.middle**k for k in _ROUGHLY], axis=1) @ np.linalg.lstsq(V, self.y, rcond=None)[0][1:]
+        c = np.linalg.lstsq(V, self.y, rcond=None)[0]
+        s = np.stack([self.middle**k for k in _ROUGHLY], axis=1) @ c[1:]
         # s = 2 sinh(L/2) is the sum of powers, and L is what ln A loses: L/s hardly depends on a first s.
         half = np.clip(np.abs(s), 1e-6, 2.0) / 2
         self.bent = np.arcsinh(half) / half
+        if np.ndim(error) == 0 and not few:
+            curve = np.exp(np.clip(c[0] - np.concatenate([[0.0], np.cumsum(self.gap * s)]), *_FAR_OFF))
+            spread = (
+                _scatter(self.gap, (logarithm - np.log(curve)) * curve) if root is None else _lengths(root) / size[0]
+            )
+            self._weigh(curve, logarithm + (spread / curve) ** 2 / 2)
+
+    def _weigh(self, weight: Array, logarithm: Array) -> None:
+        self.weight, self.ones, self.y = weight, self.white @ weight, self.white @ (weight * logarithm)
 
     def column(self, power: float, logs: int = 0) -> Array:
         """What a power of A (times ln A) in each half-swing makes of the logarithms: sums forgive noise where
@@ -166,6 +186,18 @@ class _Logarithms:
         noise = max(rss / freedom, 1.0) if self.known else max(rss / freedom, self.stated**2) * memory_factor(left)
         covariance = (np.linalg.pinv(V.T @ V) * noise)[1:, 1:]
         return _Fall(powers, c[1:], covariance, value, np.inf if self.known else freedom, free)
+
+
+def _scatter(gap: Indices, left: Array) -> float:
+    """The error of an amplitude by the third differences of what a curve leaves, which a smooth rest does not enter; 0
+    of too few that are as far apart."""
+    third = np.diff(left, 3)[(gap[2:] == gap[1:-1]) & (gap[1:-1] == gap[:-2])]
+    return float(np.median(np.abs(third))) / (0.6745 * 20**0.5) if len(third) >= _FOR_SCATTER else 0.0
+
+
+def _lengths(root: Array) -> Array:
+    """The standard errors by a root of their covariance."""
+    return np.asarray(np.sqrt((root**2).sum(axis=1)))
 
 
 def decline_of_few(n: Indices, size: Array, stated: float) -> Decline:
