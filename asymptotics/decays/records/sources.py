@@ -24,6 +24,7 @@ from asymptotics.decays.records.lines import is_comment
 from asymptotics.decays.records.rates import rate_in
 from asymptotics.decays.records.stamps import is_stamp, order_of, past_midnight, seconds_of_stamp
 from asymptotics.decays.records.text import lines_of, unpacked
+from asymptotics.decays.records.units_in_cells import with_units_above
 from asymptotics.errors import InputError, require_choice, shown
 
 Array = NDArray[np.float64]
@@ -129,7 +130,7 @@ def _lines(source: Path | bytes, name: str) -> Iterator[Iterator[str]]:
     with unpacked(source, name) as stream:
         lines = lines_of(stream, name)
         try:
-            yield with_times(with_clock(lines))
+            yield with_units_above(with_times(with_clock(lines)), name)
         finally:
             lines.close()
 
