@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from asymptotics.decays.records.body import Body, Unread, read_body
 from asymptotics.decays.records.cells import number
+from asymptotics.decays.records.exports import require_data
 from asymptotics.decays.records.formats import FRAMES, SHEETS, frame_of, sheet_lines
 from asymptotics.decays.records.header import names_in_rows
 from asymptotics.decays.records.instruments import with_times
@@ -163,6 +164,7 @@ def _of_text(source: Path | bytes, name: str, how: How) -> Source:
         known = [_share(value(cell, c) == value(cell, c) for cell in cells) > _HALF for c, cells in enumerate(columns)]
         names = names_in_rows(columns, known)
 
+    require_data(names, name)
     # A reading that another program would not share is told.
     told = [f"decimal comma, cells separated by {layout.separator!r}"] if layout.decimal == "," else []
     above = head[: layout.start]
