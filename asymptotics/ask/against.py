@@ -22,6 +22,7 @@ from asymptotics.decays.comparison.reading import rows_of_file
 from asymptotics.decays.comparison.run import Comparison, compare_file
 from asymptotics.decays.comparison.stated import stated
 from asymptotics.decays.comparison.tabled import compare_table, series_table
+from asymptotics.decays.records.exports import require_data
 from asymptotics.errors import InputError
 from asymptotics.frames import frame_of
 from asymptotics.law import Law, LawLike
@@ -128,6 +129,8 @@ def beside(
     if path is not None and own:
         said = _of_its_header(path, series=name is not None)
     if name is None:
+        if path is not None:
+            require_data(rows_of_file(path)[1] or [], path.name)
         given = said.moving()
         description = str(given.oscillator if given.frame else given.oscillator.law)
         return Beside(description, partial(compare_file, source, given, columns=columns, digits=digits))

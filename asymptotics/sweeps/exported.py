@@ -63,7 +63,9 @@ def _of_json(path: Path) -> Exported:
     # noticed by the count, and refused.
     start = _ROWS.search(text)
     if not isinstance(command, str) or not isinstance(data.get("rows"), list) or start is None:
-        raise _refused(f"{path} is no export of a sweep")
+        answer = isinstance(command, str) and isinstance(data.get("version"), str)
+        what = f"is the answer of asymptotics {command} --json" if answer else "is no export of a sweep"
+        raise _refused(f"{path} {what}")
     _require_few(len(data["rows"]))
     points, results, lines = list[dict[str, str]](), list[dict[str, str]](), list[int]()
     for line, row in _lines(text, start.end()):

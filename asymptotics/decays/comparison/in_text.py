@@ -32,6 +32,7 @@ def comparison_text(found: Comparison, equation: str) -> str:
         *summary.get("differs", ()),
         *([f"doubles, right within the errors of the header: {', '.join(d)}"] if (d := summary.get("doubles")) else []),
         *([f"estimates, not counted: lines {_listed(summary['estimates'])}"] if "estimates" in summary else []),
+        *(f"{name}: told in SI" for name in summary.get("converted", ())),
         *(f"not compared: {name} ({_why(name)})" for name in summary.get("not_compared", ())),
         f"certified: {str(found.certified).lower()} ({found.method})",
     ]

@@ -10,7 +10,6 @@ m = k = x0 = 1, and t is tau.  A header may carry units, ``x [m]``; lines that s
 """
 
 import csv
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -18,6 +17,8 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
+from asymptotics.decays.comparison.units import in_si, parted, power_of
+from asymptotics.decays.records.columns import quantity as measured
 from asymptotics.errors import InputError, LimitError, shown
 from asymptotics.frames import BARE, Frame
 from asymptotics.numbers.exact import parse_printed
@@ -27,22 +28,23 @@ Columns = Mapping[str, Any]
 
 QUANTITIES = ("n", "tau", "t", "x", "v", "amplitude", "phase")
 UNITS = {"t": "s", "x": "m", "amplitude": "m", "v": "m/s", "phase": "rad"}
+_MEANT = {"time": "t", "position": "x", "velocity": "v", "n": "n", "amplitude": "amplitude"}
 MAX_ROWS = 1_000_000
 """Each row is an exact number and a certified one: more of them would take the memory and the day."""
-_UNIT = re.compile(r"\s*[\[(](?P<unit>[^\])]*)[\])]\s*\Z")
 
 
 @dataclass(frozen=True)
 class Sheet:
     """The cells of a file: ``columns`` says which is what, ``lines`` are the line numbers of the rows.
 
-    ``numbers`` are the columns that hold numbers, exactly.
+    ``numbers`` are the columns that hold numbers, exactly; ``converted``: which were in another unit than SI.
     """
 
     columns: dict[str, int]
     lines: tuple[int, ...]
     rows: tuple[tuple[str, ...], ...]
     numbers: dict[str, tuple[Fraction, ...]]
+    converted: tuple[str, ...] = ()
 
     def column(self, name: str) -> list[str]:
         """The cells of a column, as text."""
@@ -53,7 +55,18 @@ class Sheet:
         """The rows at these places."""
         numbers = {name: tuple(column[i] for i in places) for name, column in self.numbers.items()}
         lines, rows = tuple(self.lines[i] for i in places), tuple(self.rows[i] for i in places)
-        return Sheet(self.columns, lines, rows, numbers)
+        return Sheet(self.columns, lines, rows, numbers, self.converted)
+
+    def in_si(self, powers: Mapping[str, int], units: Mapping[str, str]) -> "Sheet":
+        """The columns times these powers of ten, digit by digit; ``units``: what they were in."""
+        rows = [list(row) for row in self.rows]
+        for name, power in powers.items():
+            place = self.columns[name]
+            for row in rows:
+                row[place] = in_si(row[place], power)
+        numbers = {n: tuple(v * Fraction(10) ** powers.get(n, 0) for v in c) for n, c in self.numbers.items()}
+        converted = tuple(f"{name} in {units[name]}" for name in powers)
+        return Sheet(self.columns, self.lines, tuple(map(tuple, rows)), numbers, converted)
 
 
 def read_sheet(
@@ -75,6 +88,7 @@ def read_sheet(
     if not rows:
         raise InputError("FILE", f"{path} has no rows of values", "a CSV file with a header")
     names, units = _names(header, known) if header else ([f"column {i + 1}" for i in range(len(rows[0][1]))], {})
+    mapping, said = _without_units(mapping, known)
     if header is None and mapping is None:
         accepted = f"--columns, such as n,x,tau (known: {', '.join(known)})"
         raise InputError("FILE", f"{path} has no header", accepted)
@@ -83,8 +97,13 @@ def read_sheet(
     # In the order of the file, so that messages follow it.
     columns = dict(sorted(columns_of(filled, mapping, known).items(), key=lambda pair: pair[1]))
     # Tables have units of their own, which their description says.
+    powers = {}
     if not words:
-        _require_units({name: units.get(place, "") for name, place in columns.items()}, frame, lengths)
+        named = {name: said.get(name, "") or units.get(place, "") for name, place in columns.items()}
+        other = next((name for name, place in columns.items() if units.get(place, named[name]) != named[name]), None)
+        if other is not None:
+            raise InputError("columns", f"{other} in {named[other]} contradicts the header", units[columns[other]])
+        powers = _require_units(named, frame, lengths)
     wanted = max(columns.values())
     for line, cells in rows:
         if len(cells) <= wanted:
@@ -95,7 +114,9 @@ def read_sheet(
         for name, place in columns.items()
         if name not in words
     }
-    return Sheet(columns, tuple(line for line, _ in rows), tuple(tuple(cells) for _, cells in rows), numbers)
+    sheet = Sheet(columns, tuple(line for line, _ in rows), tuple(tuple(cells) for _, cells in rows), numbers)
+    powers = {name: power for name, power in powers.items() if power}
+    return sheet.in_si(powers, named) if powers else sheet
 
 
 def _holds(rows: list[tuple[int, list[str]]], place: int) -> bool:
@@ -111,6 +132,10 @@ def columns_of(names: list[str], mapping: str | None, known: tuple[str, ...] = Q
     """
     if mapping is None:
         found = {name: names.index(name) for name in known if name in names}
+        if len(found) < 2 and known == QUANTITIES:
+            # By the words by which every table of measured data is read, where each says one thing.
+            meant = [_MEANT.get(measured(name), "") for name in names]
+            found = {name: meant.index(name) for name in known if meant.count(name) == 1}
         if len(found) < 2:
             reason = f"its header ({', '.join(names)[:120]}) does not name a key and a value"
             raise InputError("FILE", reason, f"columns {', '.join(known)}, or --columns to say which is what")
@@ -218,23 +243,42 @@ def _names(header: list[str], known: tuple[str, ...]) -> tuple[list[str], dict[i
     >>> _names(["M_(alpha+1)", "x [m]"], ("M_(alpha+1)", "x"))
     (['M_(alpha+1)', 'x'], {1: 'm'})
     """
-    names, units = [], {}
-    for place, cell in enumerate(header):
-        unit = None if cell.strip() in known else _UNIT.search(cell)
-        names.append((cell[: unit.start()] if unit else cell).strip())
-        if unit:
-            units[place] = unit["unit"].strip()
-    return names, units
+    pairs = [parted(cell, known) for cell in header]
+    return [name for name, _ in pairs], {place: unit for place, (_, unit) in enumerate(pairs) if unit}
 
 
-def _require_units(units: dict[str, str], frame: Frame, lengths: tuple[str, ...]) -> None:
+def _without_units(mapping: str | None, known: tuple[str, ...]) -> tuple[str | None, dict[str, str]]:
+    """What --columns says without the units of its names, and these by what each column is.
+
+    >>> _without_units("t (s),x (cm)", QUANTITIES), _without_units("x=x (mm)", QUANTITIES)
+    (('t,x', {'t': 's', 'x': 'cm'}), ('x=x', {'x': 'mm'}))
+    """
+    if not isinstance(mapping, str):
+        return mapping, {}
+    pieces, units = [], {}
+    for item in mapping.split(","):
+        pairs = [parted(part, known) for part in item.split("=", 1)]
+        pieces.append("=".join(name for name, _ in pairs))
+        units[pairs[0][0]] = next((unit for _, unit in pairs if unit), "")
+    return ",".join(pieces), {name: unit for name, unit in units.items() if unit}
+
+
+def _require_units(units: dict[str, str], frame: Frame, lengths: tuple[str, ...]) -> dict[str, int]:
+    """The power of ten of each column in m, s, m/s; InputError for a unit that is none."""
+    powers = {}
     for name, unit in units.items():
         expected = frame.unit(name) if name in UNITS else ""
         if unit in ("", "1", expected) or (name in ("x", "amplitude") and unit in lengths):
             continue
+        power = power_of(name, unit) if frame.x == "m" else None
+        if power is not None:
+            powers[name] = power
+            continue
         accepted = f"{name} [{expected}]" if expected else f"{name} without a unit"
+        accepted += ", or in a power of ten of it (cm, mm, ms)" if frame.x == "m" and name in ("t", "x", "v") else ""
         hint = "" if frame or name not in UNITS else "; values in SI need --mass, --stiffness and --x0"
         raise InputError("FILE", f"{name} is in {unit[:40]!r}", accepted + hint)
+    return powers
 
 
 def as_double(text: str) -> float:

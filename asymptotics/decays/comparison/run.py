@@ -209,6 +209,7 @@ def compare_file(
         summary["order"] = order_of(list(sheet.numbers[key]), counted=key == "n")
         summary |= {"ended": truth.ended} if truth.ended else {}
         summary |= {"not_compared": left} if left else {}
+        summary |= {"converted": list(sheet.converted)} if sheet.converted else {}
         summary |= told_doubles(doubles, values)
         return Comparison(rows, summary, truth.certified, truth.method, side)
 

@@ -180,7 +180,7 @@ def _losses(
             "t is omega_0 t, for want of a mass and a stiffness; of t in s epsilon_1 is b/m in 1/s all the same, and "
             "mass 1 with stiffness (2 pi/period)^2 (identify: --omega0 2 pi/period) gives b/m of every law"
         )
-    told = (named,)
+    told: tuple[str, ...] = (named,)
     if len(values) == 1 and (clock != "t" or mass is not None):
         d = float(values[0])
         told += (f"between the two: decrement of a cycle {d:.4g}, zeta {d / (2 * np.pi):.4g}, Q {np.pi / d:.4g}",)

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from asymptotics.decays.records.exports import require_no_answer
 from asymptotics.decays.records.stamps import is_stamp, order_of, past_midnight, seconds_of_stamp
 from asymptotics.errors import LimitError
 
@@ -26,7 +27,9 @@ def arrays_of_json(path: Path) -> dict[str, Any]:
     """Columns as arrays and single numbers as they are; None for what is neither."""
     if path.stat().st_size > MOST_BYTES:
         raise LimitError("FILE", f"{path.name} has {path.stat().st_size} bytes of JSON", f"at most {MOST_BYTES}")
-    return {name: _array(value) for name, value in columns_of_json(path.read_text(encoding="utf-8-sig")).items()}
+    found = _parsed(path.read_text(encoding="utf-8-sig"))
+    require_no_answer(found, path.name)
+    return {name: _array(value) for name, value in _columns(found, "").items()}
 
 
 def _array(value: Any) -> Any:
@@ -52,11 +55,14 @@ def _times(value: list[Any]) -> Any:
 
 def columns_of_json(text: str) -> dict[str, Any]:
     """Columns and other values by the path of their names; ValueError for what is no JSON."""
+    return _columns(_parsed(text), "")
+
+
+def _parsed(text: str) -> Any:
     try:
-        found = json.loads(text)
+        return json.loads(text)
     except json.JSONDecodeError:
-        found = [json.loads(line) for line in text.splitlines() if line.strip()]
-    return _columns(found, "")
+        return [json.loads(line) for line in text.splitlines() if line.strip()]
 
 
 def _columns(found: Any, path: str) -> dict[str, Any]:

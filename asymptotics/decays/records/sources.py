@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from asymptotics.decays.records.body import Body, Unread, read_body
 from asymptotics.decays.records.cells import number
+from asymptotics.decays.records.exports import require_data
 from asymptotics.decays.records.formats import FRAMES, SHEETS, frame_of, sheet_lines
 from asymptotics.decays.records.header import names_in_rows
 from asymptotics.decays.records.instruments import with_times
@@ -24,6 +25,7 @@ from asymptotics.decays.records.lines import is_comment
 from asymptotics.decays.records.rates import rate_in
 from asymptotics.decays.records.stamps import is_stamp, order_of, past_midnight, seconds_of_stamp
 from asymptotics.decays.records.text import lines_of, unpacked
+from asymptotics.decays.records.units_in_cells import with_units_above
 from asymptotics.errors import InputError, require_choice, shown
 
 Array = NDArray[np.float64]
@@ -129,7 +131,7 @@ def _lines(source: Path | bytes, name: str) -> Iterator[Iterator[str]]:
     with unpacked(source, name) as stream:
         lines = lines_of(stream, name)
         try:
-            yield with_times(with_clock(lines))
+            yield with_units_above(with_times(with_clock(lines)), name)
         finally:
             lines.close()
 
@@ -162,6 +164,7 @@ def _of_text(source: Path | bytes, name: str, how: How) -> Source:
         known = [_share(value(cell, c) == value(cell, c) for cell in cells) > _HALF for c, cells in enumerate(columns)]
         names = names_in_rows(columns, known)
 
+    require_data(names, name)
     # A reading that another program would not share is told.
     told = [f"decimal comma, cells separated by {layout.separator!r}"] if layout.decimal == "," else []
     above = head[: layout.start]

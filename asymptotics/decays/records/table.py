@@ -21,7 +21,7 @@ from asymptotics.decays.records.body import Unread
 from asymptotics.decays.records.cells import MARKS
 from asymptotics.decays.records.choosing import chosen, read_as
 from asymptotics.decays.records.clocked import clocked
-from asymptotics.decays.records.columns import KINDS, Choice
+from asymptotics.decays.records.columns import KINDS, OPTIONAL, Choice
 from asymptotics.decays.records.error_names import errors_beside
 from asymptotics.decays.records.levels import amplitudes, is_logarithmic
 from asymptotics.decays.records.peaks import (
@@ -120,6 +120,8 @@ def read_table(
     choice = chosen(given, kind, how)
     body = given.read(sorted(set(choice.places.values())))
     columns = {name: body.columns[place] for name, place in choice.places.items()}
+    # An export has columns of what was not asked for, without a number.
+    columns = {n: c for n, c in columns.items() if n not in OPTIONAL[choice.kind] or not len(c) or np.isfinite(c).any()}
     rows = RowPlaces(given.name, body.lines)
     table = RecordTable(choice.kind, columns, "", rows, (choice.note, *given.notes))
     # In this order: a row that cannot be read is told with its text, a mark as it stands in the file, and units come
