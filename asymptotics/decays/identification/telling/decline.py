@@ -185,7 +185,8 @@ class _Logarithms:
         # What is told of the amplitudes elsewhere counts where it is more than the scatter, as for a smooth line.
         noise = max(rss / freedom, 1.0) if self.known else max(rss / freedom, self.stated**2) * memory_factor(left)
         covariance = (np.linalg.pinv(V.T @ V) * noise)[1:, 1:]
-        return _Fall(powers, c[1:], covariance, value, np.inf if self.known else freedom, free)
+        told = np.asarray(c[1:], dtype=float)
+        return _Fall(powers, told, covariance, value, np.inf if self.known else freedom, free)
 
 
 def _scatter(gap: Indices, left: Array) -> float:
