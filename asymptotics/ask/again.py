@@ -25,6 +25,7 @@ from asymptotics.decays.comparison.reading import rows_of_file
 from asymptotics.decays.comparison.run import GUARD, LEAST_DIGITS, Comparison
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.double_words import stated_errors
+from asymptotics.present.counts import many
 from asymptotics.present.inputs import stated_words
 from asymptotics.running.cut_short import changed
 from asymptotics.sweeps.export import flat
@@ -136,7 +137,9 @@ def sweep_again(command: str, names: list[str], header: list[str], rows: Rows, d
     with changed(lambda _: so_far(), otherwise=so_far):  # what is done of one row is no row of the comparison
         for line, cells in rows:
             if len(cells) != len(header):
-                raise InputError("FILE", f"line {line} has {len(cells)} cells", f"{len(header)} cells in each row")
+                raise InputError(
+                    "FILE", f"line {line} has {many(len(cells), 'cell')}", f"{many(len(header), 'cell')} in each row"
+                )
             row = dict(zip(header, cells))
             # A row that failed then may succeed now, for want of time or memory: there is nothing in it to judge.
             given = {name: row[name] for name in names}

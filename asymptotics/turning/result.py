@@ -22,6 +22,7 @@ from asymptotics.numbers.digits import spread
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.precision import TOO_WIDE, TooWideError
 from asymptotics.numbers.value import Coefficient, number_of
+from asymptotics.present.counts import many
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.figures import counted
 from asymptotics.present.shown import Page, Rows, Shown
@@ -254,7 +255,7 @@ class TurningPoints(Sequenced, Rows, Drawn):
         end: tuple[str, ...] = (self.first_text,) if self.first is not None else ()
         end += (self.end_text,) if self.ended is not None else ()
         what = f" of {self.oscillator}" if self.oscillator else f", alpha = {self.alpha}, epsilon = {self.epsilon}"
-        title = f"{len(rows)} turning points{what}"
+        title = f"{many(len(rows), 'turning point')}{what}"
         return Page(title, (worth, *end, *self.notes), tuple(head[:shown]), tuple(row[:shown] for row in rows))
 
     def _heading(self) -> str:

@@ -20,6 +20,7 @@ from asymptotics.decays.comparison.run import UNJUDGED, ComparedValue, Compariso
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.exact import parse_printed
+from asymptotics.present.counts import many
 
 Key = tuple[str, ...]
 _LONG, _LONGEST = 60, 10_000  # characters of a cell in a message; bits of a number that Python prints
@@ -66,7 +67,9 @@ def compared_cells(
     order = {key: place for place, key in enumerate(truth)}
     for line, cells in given:
         if len(cells) != len(header):
-            raise InputError("FILE", f"line {line} has {len(cells)} cells", f"{len(header)} cells in each row")
+            raise InputError(
+                "FILE", f"line {line} has {many(len(cells), 'cell')}", f"{many(len(header), 'cell')} in each row"
+            )
         key = _key(cells, header, right.keys)
         if key not in truth:
             raise InputError(

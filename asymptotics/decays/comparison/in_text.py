@@ -3,6 +3,7 @@
 from asymptotics.decays.comparison.digits import right_in_words
 from asymptotics.decays.comparison.order import told_order
 from asymptotics.decays.comparison.run import ComparedValue, Comparison
+from asymptotics.present.counts import many
 
 # Lines that fill a screen: half from the head of the file, half the worst.
 _SHOWN = 40
@@ -20,7 +21,9 @@ def comparison_text(found: Comparison, equation: str) -> str:
     widths = [max(map(len, column)) for column in zip(*cells)]
     lines = [equation, "", *("  ".join(c.rjust(w) for c, w in zip(row, widths)) for row in cells)]
     if len(rows) < len(found.rows):
-        lines.append(f"({len(found.rows)} values: the first {_SHOWN // 2} and the worst ones; --csv or --json for all)")
+        lines.append(
+            f"({many(len(found.rows), 'value')}: the first {_SHOWN // 2} and the worst ones; --csv or --json for all)"
+        )
     lines += [
         "",
         f"right digits: worst {summary['worst_digits']} (line {summary['worst_line']}), "

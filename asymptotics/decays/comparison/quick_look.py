@@ -33,6 +33,7 @@ import numpy as np
 
 from asymptotics.decays.comparison.defects import Defects, defects_of
 from asymptotics.decays.comparison.errors import Errors
+from asymptotics.present.counts import many
 
 # All thresholds were chosen on those laws, and none is derived. They decide what the errors are called, never how many
 # digits are right.
@@ -66,7 +67,7 @@ def look_of(errors: Errors, shift: Any | None, lost: float) -> Look:
     if lost < 1:
         return Look("rounding", "every value is right to the digits written, or nearly")
     if len(errors) < _FEWEST:
-        return Look("undecided", f"{len(errors)} half-swings with values are too few to tell")
+        return Look("undecided", f"{many(len(errors), 'half-swing')} with values are too few to tell")
     found = defects_of(errors, shift)
     drift = _drift(errors, shift)
     kind, reason = _judged(errors, found, drift)

@@ -23,6 +23,7 @@ from asymptotics.errors import InputError, LimitError, shown
 from asymptotics.frames import BARE, Frame
 from asymptotics.numbers.exact import parse_printed
 from asymptotics.numbers.policy import exact_number
+from asymptotics.present.counts import many
 
 Columns = Mapping[str, Any]
 
@@ -107,7 +108,7 @@ def read_sheet(
     wanted = max(columns.values())
     for line, cells in rows:
         if len(cells) <= wanted:
-            raise InputError("FILE", f"line {line} has {len(cells)} cells", f"{wanted + 1} cells in each row")
+            raise InputError("FILE", f"line {line} has {many(len(cells), 'cell')}", f"{wanted + 1} cells in each row")
     numbers = {
         # Exact, not doubles: a value of 100 digits is judged by all of them.
         name: tuple(parse_printed(cells[place], f"{place_of} {line}") for line, cells in rows)

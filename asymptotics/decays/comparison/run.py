@@ -41,6 +41,7 @@ from asymptotics.numbers.double_error import DoubleError
 from asymptotics.numbers.double_words import stated_errors
 from asymptotics.numbers.integers import parse_integer
 from asymptotics.numbers.policy import Number
+from asymptotics.present.counts import many
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.figures import counted
 from asymptotics.present.inputs import csv_text
@@ -232,7 +233,7 @@ def short_of(found: Comparison, lines_of_file: Sequence[int]) -> Comparison:
     """The same, telling which lines of the file are missing."""
     there = {row.line for row in found.rows}
     lines = [line for line in lines_of_file if line not in there]
-    missing = f"lines {lines[0]} ... {lines[-1]} ({len(lines)} rows)" if lines else "how the errors look"
+    missing = f"lines {lines[0]} ... {lines[-1]} ({many(len(lines), 'row')})" if lines else "how the errors look"
     return replace(found, summary={**found.summary, "missing": missing})
 
 

@@ -33,6 +33,7 @@ from asymptotics.decays.comparison.run import (
 )
 from asymptotics.errors import InputError
 from asymptotics.numbers.exact import parse_real
+from asymptotics.present.counts import many
 from asymptotics.running.cut_short import changed
 from asymptotics.tables.inputs import MAX_ROWS, Inputs
 from asymptotics.tables.registry import build, description
@@ -135,7 +136,7 @@ def _rows(sheet: Sheet, table: Table, keys: list[str], values: list[str], digits
         entries = found.get(_key(texts), [])
         # Keys that name two rows would let a value choose the one that fits.
         if len(entries) != 1:
-            what = "no row" if not entries else f"{len(entries)} rows"
+            what = "no row" if not entries else many(len(entries), "row")
             accepted = f"keys that name one row: {', '.join(table.keys)}"
             raise InputError("FILE", f"line {line}: the table has {what} for {', '.join(texts)[:80]}", accepted)
         for column in values:

@@ -22,6 +22,7 @@ from scipy.optimize import nnls
 
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.errors import InputError
+from asymptotics.present.counts import many
 
 _NODES, _ROUNDS, _STAYS = 8, 60, 1e-10
 """Of Gauss and Legendre in ln A; rounds of the strengths, and the change at which they stay."""
@@ -30,7 +31,7 @@ _NODES, _ROUNDS, _STAYS = 8, 60, 1e-10
 def pairs(amplitude: Array, cycles: Array) -> tuple[Array, Array]:
     """Neighbouring amplitudes, and the logarithmic decrement of a cycle between them; InputError where none is lost."""
     if len(amplitude) < 2:
-        raise InputError("table", f"{len(amplitude)} amplitudes at times", "two at least")
+        raise InputError("table", f"{many(len(amplitude), 'amplitude')} at times", "two at least")
     if (np.diff(cycles) <= 0).any():
         raise InputError("table", "its times or counts do not increase", "rows in the order of time")
     if (np.diff(amplitude) >= 0).any():

@@ -51,6 +51,7 @@ from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import GRAVITY, UNITS
 from asymptotics.errors import InputError, shown
 from asymptotics.numbers.quantities import ANGLES
+from asymptotics.present.counts import many
 from asymptotics.running.budget import tick
 
 _OTHER = 0.1
@@ -91,7 +92,7 @@ def identified(
     """What ``asymptotics.identify`` answers, of values that were read; ``how`` a file is read; ``modes``: 1 or 2."""
     sources = _sources(data)
     if not 1 <= len(sources) <= MAX_RUNS:
-        raise InputError("data", f"{len(sources)} runs", f"1 to {MAX_RUNS} runs")
+        raise InputError("data", many(len(sources), "run"), f"1 to {MAX_RUNS} runs")
     _candidates(laws, springs, times=True, angles=True)  # a law that cannot be read is refused before the work
     tick("the reading of the data")
     omega = _omega(mass, stiffness, omega_0)

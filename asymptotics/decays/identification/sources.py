@@ -177,7 +177,9 @@ def _decay(
         seen = _beside(slow, observations_of_record(t, x, unit=run.unit, rows=rows, whole_motion=slow is not None))
         return replace(seen, notes=(*notes, *seen.notes, *_tail(whole, seen)))
     if len(t) < LEAST_SAMPLES:
-        raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers that change", f"{LEAST_SAMPLES} samples")
+        raise InputError(
+            "FILE", f"{rows.name} has {many(len(t), 'row')} with numbers that change", f"{LEAST_SAMPLES} samples"
+        )
     seen = _beside(
         slow, observations_of_motion(t, x, unit=run.unit, name=rows.name, notes=notes, derivative=_order(run))
     )
@@ -272,7 +274,7 @@ def _decrements(table: RecordTable) -> Decrements:
     rows, columns = table.rows, table.columns
     amplitude, decrement, resolution = columns["amplitude"], columns["decrement"], columns.get("resolution")
     if len(amplitude) < 2:
-        raise InputError("FILE", f"{rows.name} has {len(amplitude)} rows with numbers", "at least 2")
+        raise InputError("FILE", f"{rows.name} has {many(len(amplitude), 'row')} with numbers", "at least 2")
     # A decrement of twice the mean amplitude would end at 0 or beyond.
     checks = [("amplitude", amplitude <= 0, "is not positive"), ("decrement", decrement >= 2 * amplitude, "too large")]
     if resolution is not None:

@@ -18,6 +18,7 @@ from asymptotics.decays.records.cells import MISSING, number
 from asymptotics.decays.records.layout import Layout
 from asymptotics.decays.records.lines import WHITE, is_comment, split
 from asymptotics.decays.records.stamps import is_stamp, seconds_of_stamp
+from asymptotics.present.counts import many
 from asymptotics.running.budget import tick
 
 Array = NDArray[np.float64]
@@ -89,7 +90,7 @@ def _block(lines: list[str], layout: Layout, wanted: Sequence[int], unread: Unre
             cells = line.count(separator) + 1
         # A row of another width becomes a row without numbers, so that rows keep their places in the file.
         if cells > layout.width:
-            unread.add(before + i, wanted[0], f"{cells} cells")
+            unread.add(before + i, wanted[0], many(cells, "cell"))
             lines[i] = _blank(layout.width, separator)
         # A row may be short where nothing is wanted of its end.
         elif cells < layout.width and cells <= max(wanted):

@@ -63,8 +63,12 @@ def chosen(given: Source, kind: str | None, how: How) -> Choice:
 
 
 def ordered(given: Source, kind: str | None, how: How) -> list[str]:
-    """The names; in a file without names, two columns of which one increases are a time and a position."""
+    """The names; in a file without names, two columns of which one increases are a time and a position; the only column
+    of dates is the time, whatever it is called, where no other is."""
     names = list(given.names)
+    if given.headed and how.columns is None and len(given.stamped) == 1 and "time" not in map(quantity, names):
+        place = next(iter(given.stamped))
+        names[place] = f"{names[place]} time"
     live = [place for place, name in enumerate(names) if name]
     if given.headed or kind is not None or how.columns is not None or len(live) != 2:
         return names

@@ -20,6 +20,7 @@ from asymptotics.decays.records.lines import WHITE, is_comment, split
 from asymptotics.decays.records.one_column import one_column
 from asymptotics.decays.records.stamps import is_stamp
 from asymptotics.errors import InputError
+from asymptotics.present.counts import many
 
 _UNGROUPED = re.compile(r"[+-]?\d{4,}")
 _SEPARATORS = ("\t", ";", "|", ",", WHITE)
@@ -65,7 +66,7 @@ def layout_of(lines: Sequence[str], name: str, *, decimal: str | None = None, sk
         return Layout("\t", single.decimal, single.header, single.start, 1)
     if not tried:
         filled = any(line.strip() for line in lines)
-        reason = f"{name}: no rows of two numbers in {len(lines)} lines" if filled else f"{name} is empty"
+        reason = f"{name}: no rows of two numbers in {many(len(lines), 'line')}" if filled else f"{name} is empty"
         raise InputError("FILE", reason, "a table with a row for each moment, perhaps with a header")
     # The score counts rows of one width, so that a wrong separator, which cuts some rows and not others, loses.
     best = max(tried, key=lambda found: found[0])

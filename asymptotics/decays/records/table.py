@@ -276,7 +276,7 @@ def _unmarked(table: RecordTable) -> RecordTable:
         # Half of the smallest mark: values of that size make -999 a value.
         if marks.any() and len(rest) and float(np.abs(rest).max()) < 500:
             columns[name] = np.where(marks, np.nan, values)
-            notes.append(f"{int(marks.sum())} values {values[marks][0]:g} of {name} taken as missing")
+            notes.append(f"{many(int(marks.sum()), 'value')} {values[marks][0]:g} of {name} taken as missing")
     return replace(table, columns=columns, notes=(*table.notes, *notes))
 
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from asymptotics.errors import InputError, LimitError
+from asymptotics.present.counts import many
 
 MAX_BYTES = 2_000_000_000
 """Of a file as it lies, of a member of a zip archive by what the archive states, and of what a gzip stream, which
@@ -80,7 +81,7 @@ def _one_member(archive: zipfile.ZipFile, name: str) -> str:
     data = [item for item in members if not Path(item).name.startswith(("meta", "device", "time"))]
     if len(data) != 1:
         raise InputError(
-            "FILE", f"{name} holds {len(members)} files: {', '.join(members)[:100]}", "one of them, unpacked"
+            "FILE", f"{name} holds {many(len(members), 'file')}: {', '.join(members)[:100]}", "one of them, unpacked"
         )
     # The size that the archive states, before a byte is unpacked.
     if archive.getinfo(data[0]).file_size > MAX_BYTES:

@@ -182,7 +182,7 @@ def test_a_record_of_one_row_is_refused_by_its_count(tmp_path):
     """It has no step of time: the search for a second mode took the mean of nothing."""
     file = tmp_path / "one.csv"
     file.write_text("t,x\n0,0")
-    with pytest.raises(asy.InputError, match="1 rows with numbers"):
+    with pytest.raises(asy.InputError, match="1 row with numbers"):
         asy.identify(file, laws=["1"], bootstrap=False)
 
 

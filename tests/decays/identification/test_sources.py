@@ -134,7 +134,7 @@ def test_turning_points_that_tell_nothing_are_refused(x, reason):
 @pytest.mark.parametrize(
     ("rows", "reason"),
     [
-        ([(1.0, 0.1, 0.01)], "1 rows"),
+        ([(1.0, 0.1, 0.01)], "1 row"),
         ([(1.0, 0.1, 0.01), (0.0, 0.1, 0.01)], "0 is not positive"),
         ([(1.0, 2.0, 0.01), (0.9, 0.1, 0.01)], "2 too large"),
         ([(1.0, 0.1, -0.01), (0.9, 0.1, 0.01)], "-0.01 is negative"),

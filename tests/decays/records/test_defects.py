@@ -99,7 +99,7 @@ def test_marks_for_missing_values_are_told_and_values_like_them_are_kept(tmp_pat
     path.write_text("t,x\n" + "".join(f"{i / 10},{-999 if i == 7 else i / 7}\n" for i in range(30)))
     table = read_table(path).whole()
     assert len(table.columns["x"]) == 29
-    assert "1 values -999 of x taken as missing" in table.notes
+    assert "1 value -999 of x taken as missing" in table.notes
     path.write_text("t,x\n" + "".join(f"{i / 10},{-999 if i == 7 else 100 * i}\n" for i in range(30)))
     assert len(read_table(path).whole().columns["x"]) == 30
 

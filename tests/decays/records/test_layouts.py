@@ -7,6 +7,7 @@ import pytest
 
 import asymptotics as asy
 from asymptotics.decays.identification.sources import load
+from asymptotics.decays.records.table import read_table
 from asymptotics.errors import InputError
 from tests.decays.records.layouts import EPSILON, OMEGA, PAGE, page, strength
 from tests.decays.records.layouts_of_people import TEXTS
@@ -56,3 +57,12 @@ def test_the_page_says_what_happens():
     for module in NEEDED.values():
         pytest.importorskip(module)
     assert Path(PAGE).read_text(encoding="utf-8") == page(), "python -m tests.decays.records.layouts"
+
+
+def test_the_only_column_of_dates_is_the_time(tmp_path):
+    """Failed before, of a column called date: what is measured is not clear."""
+    path = tmp_path / "logged.csv"
+    rows = [f"27.11.2026 10:00:{i // 10:02d},{100 * (i % 10):03d};{np.cos(0.6 * i):.4f}" for i in range(200)]
+    path.write_text("\n".join(["date;x", *rows]))
+    found = read_table(path)
+    assert found.kind == "record" and found.columns["t"][-1] - found.columns["t"][0] == pytest.approx(19.9)

@@ -14,6 +14,7 @@ from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.judging.laws import Fitted
 from asymptotics.decays.identification.measuring.observations import Observations
+from asymptotics.present.counts import many
 
 _WEAKER = 3
 """So often a start is weakened by 0.8.  A choice."""
@@ -47,7 +48,7 @@ def _fit_motion(candidate: Candidate, seen: Observations, noise: Noise | None, s
     """The fit to all samples, from where the turning points alone lead."""
     model = WaveformModel(candidate.swing(), seen, candidate.pendulum)
     if len(model.data) < model.size + 4:
-        return Fitted(candidate, None, reason=f"{len(model.data)} samples for {model.size} unknowns")
+        return Fitted(candidate, None, reason=f"{many(len(model.data), 'sample')} for {model.size} unknowns")
     try:
         if start is None:
             start = _from_turning_points(candidate, seen)

@@ -6,6 +6,7 @@ from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.sampled import LEAST_SAMPLES
 from asymptotics.decays.records.rows import RowPlaces
 from asymptotics.errors import InputError
+from asymptotics.present.counts import many
 
 Flags = np.ndarray[tuple[int], np.dtype[np.bool_]]
 _MOST_CLIPPED = 0.6
@@ -19,7 +20,9 @@ def usable(t: Array, x: Array, rows: RowPlaces) -> Flags:
     """Which samples are not clipped; InputError for a record that is too short, constant, or clipped for the most
     part."""
     if len(t) < LEAST_SAMPLES:
-        raise InputError("FILE", f"{rows.name} has {len(t)} rows with numbers", f"at least {LEAST_SAMPLES} samples")
+        raise InputError(
+            "FILE", f"{rows.name} has {many(len(t), 'row')} with numbers", f"at least {LEAST_SAMPLES} samples"
+        )
     if not np.ptp(x) > 0:
         raise InputError("FILE", f"{rows.name}, column x: all values are {x[0]:g}", "a motion")
     whole = np.ones(len(x), dtype=bool)

@@ -27,6 +27,7 @@ from asymptotics.decays.identification.measuring.criteria import memory_factor
 from asymptotics.decays.identification.measuring.damped_cosine import DampedCosine, damped_cosine
 from asymptotics.decays.identification.measuring.observations import Observations, Samples
 from asymptotics.errors import InputError
+from asymptotics.present.counts import many
 
 ENOUGH_PERIODS, _MOST = 1.5, 400
 """Periods from which on laws are told apart: base, drift and a line of degree 2 fit anything shorter.  And samples of
@@ -75,7 +76,7 @@ def _observed(
     times = t[0] + (k * np.pi - first) / omega
     noise = float(np.sqrt(_square(line.residual) / len(line.residual)))
     samples = Samples(t, x, noise, float(len(t)), line.memory, derivative)
-    said = f"{periods:.2g} periods in {len(t)} samples: a damped cosine through all of them; noise {noise:.3g}"
+    said = f"{periods:.2g} periods in {many(len(t), 'sample')}: a damped cosine through all of them; noise {noise:.3g}"
     values = line.size(times) * np.where(k % 2, -1.0, 1.0)
     seen = Observations.of(k.astype(int), values, times, unit=unit, name=name, notes=(*notes, said))
     shown = f"{periods:.2g} periods" + (" in such noise" if periods >= ENOUGH_PERIODS else "")

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.late_extremes import Window
 from asymptotics.numbers.alike import Alike
+from asymptotics.present.counts import many
 
 Indices = NDArray[np.intp]
 
@@ -200,7 +201,7 @@ class Observations(Alike):
             floor=self.floor,
             unit=self.unit,
             name=self.name,
-            notes=(*self.notes, f"{len(chosen)} turning points with amplitudes from {low:.4g} to {high:.4g}"),
+            notes=(*self.notes, f"{many(len(chosen), 'turning point')} with amplitudes from {low:.4g} to {high:.4g}"),
         )
         return replace(
             found, stride=self.stride, spacing=self.spacing, window=self.window, time_unit=self.time_unit,

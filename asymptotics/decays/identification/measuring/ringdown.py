@@ -17,6 +17,7 @@ import numpy as np
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.observations import Indices, Observations
 from asymptotics.errors import InputError
+from asymptotics.present.counts import many
 
 _LEAST, _COUNTED, _UNEVEN, _SIGMAS = 5, 1000, 0.01, 4.0
 """Rows of an envelope; the number of artificial half-swings at least; and how uneven a clock may be, as a share of its
@@ -36,19 +37,19 @@ def observations_of_envelope(
     InputError for what is no decay of amplitudes.
     """
     first = _falling(x)
-    said = [f"the first {first} rows, before the amplitude falls, left out"] if first else []
+    said = [f"the first {many(first, 'row')}, before the amplitude falls, left out"] if first else []
     t, x = t[first:], x[first:]
     dead = np.flatnonzero(x <= 0)
     if len(dead):
         said.append(f"the amplitudes from t = {t[dead[0]]:.6g} on, where one is 0 or below, left out")
         t, x = t[: dead[0]], x[: dead[0]]
     if len(x) < _LEAST:
-        raise InputError("FILE", f"{name}: {len(x)} amplitudes that fall", f"at least {_LEAST}")
+        raise InputError("FILE", f"{name}: {many(len(x), 'amplitude')} that fall", f"at least {_LEAST}")
     n, spacing = _counted(t)
     stride = 0.0 if frequency is None else 2 * frequency * spacing
-    told = f"an envelope of unknown frequency: {len(x)} amplitudes"
+    told = f"an envelope of unknown frequency: {many(len(x), 'amplitude')}"
     if frequency is not None:
-        told = f"an envelope at {frequency:.8g} Hz: {len(x)} amplitudes, {stride * int(n[-1]):.6g} half-swings"
+        told = f"an envelope at {frequency:.8g} Hz: {many(len(x), 'amplitude')}, {stride * int(n[-1]):.6g} half-swings"
     seen = Observations.of(n, x, sigma_x=x if relative else (), unit=unit, name=name, notes=(*notes, *said, told))
     # Amplitudes have one sign, which the reading of turning points tells: here it says nothing.
     kept = tuple(note for note in seen.notes if "one sign" not in note)

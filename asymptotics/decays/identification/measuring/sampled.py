@@ -16,6 +16,7 @@ from asymptotics.decays.identification.measuring.few_swings import ENOUGH_PERIOD
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
 from asymptotics.decays.identification.measuring.observations import Observations, Samples
 from asymptotics.errors import InputError
+from asymptotics.present.counts import many
 
 MAX_SAMPLES, ENOUGH = 20_000, 6_000
 """More samples than ``ENOUGH`` are averaged in groups, which loses little of a slow motion and saves the time of
@@ -123,7 +124,7 @@ def _free(line: SpectralLine, t: Array) -> Array:
 def _require_samples(line: SpectralLine, t: Array, name: str) -> None:
     per_period = 2 * np.pi / line.omega * (len(t) - 1) / (t[-1] - t[0])
     if len(t) < LEAST_SAMPLES or per_period < _PER_PERIOD:
-        reason = f"{name} has {len(t)} samples, {per_period:.3g} a period"
+        reason = f"{name} has {many(len(t), 'sample')}, {per_period:.3g} a period"
         raise InputError("FILE", reason, f"at least {LEAST_SAMPLES} samples, {_PER_PERIOD} a period, or turning points")
 
 

@@ -22,6 +22,7 @@ from asymptotics.decays.identification.telling.result import Identification
 from asymptotics.errors import InputError, shown
 from asymptotics.made_by import line as made_by_line
 from asymptotics.numbers.policy import Number
+from asymptotics.present.counts import many
 from asymptotics.present.page import figure, page, table, text
 from asymptotics.present.signs import signs
 from asymptotics.running.public import public
@@ -122,6 +123,9 @@ def _told(run: Observations | Decrements) -> tuple[str, str]:
     name, unit = run.name or "the data", f" {run.shown_unit}" if run.shown_unit else ""
     if isinstance(run, Decrements):
         ends = f"{run.amplitude.max():.4g} to {run.amplitude.min():.4g}{unit}"
-        return name, f"{len(run.decrement)} decrements, mean amplitudes from {ends}"
+        return name, f"{many(len(run.decrement), 'decrement')}, mean amplitudes from {ends}"
     times = "with times" if run.has_times else "without times"
-    return name, f"{len(run.n)} turning points {times}, |x| from {run.sizes[0]:.4g} to {run.sizes[-1]:.4g}{unit}"
+    return (
+        name,
+        f"{many(len(run.n), 'turning point')} {times}, |x| from {run.sizes[0]:.4g} to {run.sizes[-1]:.4g}{unit}",
+    )

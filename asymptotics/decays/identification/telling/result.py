@@ -20,6 +20,7 @@ from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, MANY,
 from asymptotics.errors import require_choice
 from asymptotics.numbers.alike import Alike
 from asymptotics.numbers.policy import exact_integer
+from asymptotics.present.counts import many
 from asymptotics.present.drawn import Drawn
 from asymptotics.present.shown import Page, Rows, plain
 
@@ -140,7 +141,7 @@ class Identification(Alike, Rows, Drawn):
         """The first ``count`` laws as a table of text."""
         count = exact_integer(count, "count", 1, 10_000)  # more than are ever tried
         if not self.told_laws:
-            return f"none of {len(self.laws)} laws was fitted"
+            return f"none of {many(len(self.laws), 'law')} was fitted"
         rows: list[tuple[str, ...]] = [("law", "verdict", "dAICc", "held-out", "strengths [interval]")]
         rows += [answer.row() for answer in self.told_laws[:count]]
         widths = [max(len(row[i]) for row in rows) for i in range(4)]
