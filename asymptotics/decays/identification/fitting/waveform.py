@@ -14,8 +14,7 @@ import numpy as np
 
 from asymptotics.decays.identification.fitting.model import Model
 from asymptotics.decays.identification.forward.coefficients import Array, Element
-from asymptotics.decays.identification.forward.quadrature import TooStrongError
-from asymptotics.decays.identification.forward.stepped import is_smooth
+from asymptotics.decays.identification.forward.quadrature import TooStrongError, is_smooth
 from asymptotics.decays.identification.forward.swing import HalfSwingModel
 from asymptotics.decays.identification.forward.work import counted
 from asymptotics.decays.identification.measuring.observations import Indices, Observations

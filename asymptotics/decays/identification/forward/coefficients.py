@@ -23,17 +23,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import sici
 
 from asymptotics.decays.identification.forward.blocks import product
+from asymptotics.decays.identification.forward.grids import ThetaGrid, sinc_grid
 from asymptotics.numbers.context import cache, lru_cache
 from asymptotics.series import Key, monomials
 
 Array = NDArray[np.float64]
-_HALF_NODES = 32
-"""Nodes on either side of the middle of each quarter: the coefficients are then right to about 1e-12.  Against 64
-nodes, laws 3/2, 1/10 + 2 and 3/2 with a cubic spring through degree 5 are off by 2e-6 at most with 16, 3e-9 with 24 and
-2e-12 with 32."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +75,7 @@ def swing_coefficients(elements: tuple[Element, ...], order: int, alphas: tuple[
     With ``alphas`` the first element is a loss v|v|^(alpha-1) for each of them, and its own exponent is not used:
     ``weights`` then has one row for each alpha.
     """
-    grid = theta_grid()
+    grid = sinc_grid()
     first = np.array(alphas or (elements[0].velocity,))[:, None]
     exponents: list[Array | float] = [first, *(e.velocity for e in elements[1:])]
     shapes = [shape(e, grid, velocity) for e, velocity in zip(elements, exponents)]
@@ -100,46 +96,6 @@ def swing_coefficients(elements: tuple[Element, ...], order: int, alphas: tuple[
 
 def _ends(integrand: Array, weights: Array) -> Array:
     return product(integrand, weights[:, None])[..., 0].T.copy()
-
-
-@dataclass(frozen=True)
-class ThetaGrid:
-    """theta on both quarters: its sine and cosine, the integral to each node, to pi/2 (``middle``) and to pi."""
-
-    sine: Array
-    cosine: Array
-    cumulative: Array
-    middle: Array
-    weights: Array
-
-
-@cache
-def theta_grid(half: int = _HALF_NODES) -> ThetaGrid:
-    """Sinc nodes u_k = k h with theta = (pi/4)(1 + tanh((pi/2) sinh u)); Haber's indefinite integration formula."""
-    k = np.arange(-half, half + 1)
-    # The step that balances the error of the sum and that of cutting it off, up to a constant.
-    h = np.log(half) / half
-    g = np.pi * np.sinh(k * h)
-    # At the other end 1 - share has no digits; there cos theta comes from the mirror image below.
-    share = 1 / (1 + np.exp(-g))  # theta/(pi/2), accurate at its small end
-    theta = np.pi / 2 * share
-    slope = np.pi / 2 * share * (1 - share) * np.pi * np.cosh(k * h) * h
-    # The integral of sinc up to node j is 1/2 + Si(pi (j - k))/pi.
-    lower = slope * (0.5 + sici(np.pi * (k[:, None] - k[None, :]))[0] / np.pi)
-    zero = np.zeros_like(lower)
-    # cos theta = sin(pi/2 - theta): by symmetry of the nodes, and accurate near pi/2.
-    cosine = np.sin(theta[::-1])
-    sine = np.sin(theta)
-    # Up to a node of the second quarter: all of the first, and the second so far.
-    cumulative = np.block([[lower, zero], [np.broadcast_to(slope, lower.shape), lower]])
-    blank = np.zeros_like(slope)
-    return ThetaGrid(
-        np.concatenate([sine, sine[::-1]]),
-        np.concatenate([cosine, -cosine[::-1]]),
-        cumulative,
-        np.concatenate([slope, blank]),
-        np.concatenate([slope, slope]),
-    )
 
 
 def shape(element: Element, grid: ThetaGrid, velocity: Array | float) -> Array:

@@ -29,8 +29,8 @@ from asymptotics.decays.identification.forward.coefficients import (
     graded_product,
     keys_of,
     shape,
-    theta_grid,
 )
+from asymptotics.decays.identification.forward.grids import sinc_grid
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.forward.swing import (
     QUANTITIES,
@@ -132,7 +132,7 @@ def _interpolated(elements: tuple[Element, ...], order: int, top: float) -> Arra
 
 def _coefficients(elements: tuple[Element, ...], order: int, k2: Array) -> Array:
     """L, T, R, T_q by degree in the local strengths: an array (quantities, k2, keys)."""
-    grid, count = theta_grid(), len(elements)
+    grid, count = sinc_grid(), len(elements)
     c, s = grid.cosine, grid.sine
     blank = np.zeros((1, len(k2), len(c)))
     y, m, n, E = [blank], [blank], [blank], [np.ones_like(blank)]

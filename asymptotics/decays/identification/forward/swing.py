@@ -27,7 +27,6 @@ from asymptotics.decays.identification.forward.coefficients import (
     swing_coefficients,
 )
 from asymptotics.decays.identification.forward.quadrature import TooStrongError, integrated_swings
-from asymptotics.decays.identification.forward.stepped import PRECISE, is_smooth, stepped_swings
 from asymptotics.decays.identification.forward.work import counted
 from asymptotics.numbers.context import lru_cache
 
@@ -101,23 +100,16 @@ class HalfSwingModel:
     def integrate(
         self, found: HalfSwingArrays, wild: Mask, a: Array, parameters: Array, k2: float = 0.0
     ) -> HalfSwingArrays:
-        """``found`` with the half-swings that the series does not reach replaced: by steps where few digits are asked
-        for, else by quadrature; ``k2`` as in ``integrated_swings``."""
+        """``found`` with the half-swings that the series does not reach integrated; ``k2`` as in
+        ``integrated_swings``."""
         terms, strong = len(self.elements), int(wild.sum())
         counted(50 + 0.7 * len(a) * terms)
         if not strong:
             return found
         if self.coarse:
             raise TooStrongError("the series does not reach these strengths")
-        # Runge and Kutta's steps have their order for smooth forces alone: a fractional power of s has a kink at both
-        # ends.
-        if self.tolerance >= PRECISE and not self.free and is_smooth(self.elements):
-            counted(650 + strong * terms * (terms + 2))
-            exact = stepped_swings(self.elements, a[wild], parameters, k2, self.tolerance)
-        else:
-            counted(250 * terms + 35 * strong * terms)
-            alpha = float(parameters[terms]) if self.free else None
-            exact = integrated_swings(self.elements, a[wild], parameters[:terms], alpha, k2)
+        alpha = float(parameters[terms]) if self.free else None
+        exact = integrated_swings(self.elements, a[wild], parameters[:terms], alpha, k2, self.tolerance)
         for part, replaced in zip((found.values, found.by_amplitude, found.by_parameter), exact, strict=True):
             part[..., wild] = replaced
         return found

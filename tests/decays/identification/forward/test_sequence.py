@@ -9,7 +9,6 @@ from asymptotics.decays.identification.forward.coefficients import loss, spring
 from asymptotics.decays.identification.forward.pendulum import PendulumHalfSwing
 from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.forward.sequence import turning_sequence
-from asymptotics.decays.identification.forward.stepped import stepped_swings
 from asymptotics.decays.identification.forward.swing import HalfSwingModel
 from asymptotics.law import Law
 from asymptotics.turning.choose import turning_points
@@ -77,17 +76,6 @@ def test_a_guess_that_leads_astray_changes_nothing(spoiled):
     assert spoiled == 60 or len(calls) > 12
 
 
-@pytest.mark.parametrize("elements", [(loss(1.0),), (loss(0.0), loss(2.0), spring(3)), (loss(1.0, 2), loss(3.0))])
-def test_the_steps_in_theta_agree_with_the_series(elements):
-    strengths = np.full(len(elements), 0.02)
-    a = np.array([0.0, -0.4])
-    values, by_amplitude, by_strength = stepped_swings(elements, a, strengths)
-    series = HalfSwingModel(elements).at(a, strengths)
-    assert np.abs(values - series.values).max() < 3e-8
-    assert np.abs(by_amplitude - series.by_amplitude).max() < 3e-8
-    assert np.abs(by_strength - series.by_parameter).max() < 3e-7
-
-
 @pytest.mark.parametrize("law", LAWS)
 def test_turning_points_and_times_are_those_of_the_certified_program(law):
     swings = 8
@@ -112,12 +100,3 @@ def test_the_derivatives_of_the_sequence_are_exact():
 def test_motion_that_sticks_has_no_next_turning_point():
     with pytest.raises(TooStrongError):
         turning_sequence(HalfSwingModel((loss(0),)), 6, np.array([0.0, 0.1]))  # from 1 by 0.2: five swings
-
-
-@pytest.mark.filterwarnings("error")
-def test_a_step_of_the_search_at_the_edge_of_no_swing_warns_of_nothing():
-    """d = 1e-6 at the first middle of a step, so that y falls to -1000 and e^y is 0: a warning reached the user."""
-    theta = np.pi / 96
-    viscous = (1 - 1e-6 - 0.5 * np.cos(theta)) / (np.cos(theta) * np.sin(theta))
-    with pytest.raises(TooStrongError):
-        stepped_swings((loss(0.0), loss(1.0)), np.array([0.0]), np.array([0.5, viscous]))

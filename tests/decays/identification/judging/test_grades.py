@@ -1,13 +1,10 @@
-"""What a law leaves of the loss; the one grammar of laws; steps where the series does not reach."""
+"""What a law leaves of the loss, and the one grammar of laws."""
 
 import numpy as np
 import pytest
 
 import asymptotics as asy
 from asymptotics.decays.identification.forward.candidates import default_candidates, read_candidate
-from asymptotics.decays.identification.forward.coefficients import loss
-from asymptotics.decays.identification.forward.quadrature import integrated_swings
-from asymptotics.decays.identification.forward.stepped import stepped_swings
 from asymptotics.decays.identification.judging.comparison import heads_of
 from asymptotics.decays.identification.judging.grades import open_share
 from asymptotics.decays.identification.synthetic import observed
@@ -52,12 +49,3 @@ def test_the_largest_law_of_each_spring_is_fitted_first():
     heads = [str(c) for c in heads_of(default_candidates(True, angles=True))]
     assert heads == ["0+1+2+3", "0+1+2+3+s3", "0+1+2+3+s3+s5", "0+1+2+3+pendulum"]
     assert heads_of([read_candidate(t) for t in ("1", "2", "1+2")]) == []
-
-
-def test_steps_are_the_quadrature_for_whole_exponents():
-    a, strengths = np.log([1.0, 0.5, 0.2]), np.array([0.01, 0.05, 0.1])
-    elements = (loss(0.0), loss(1.0), loss(2.0))
-    exact, found = integrated_swings(elements, a, strengths, None), stepped_swings(elements, a, strengths)
-    for right, own in zip(exact, found, strict=True):
-        assert np.abs(right - own).max() < 2e-7
-    assert np.abs(stepped_swings(elements, a, strengths * 1.001)[0] - exact[0]).max() > 1e-5
