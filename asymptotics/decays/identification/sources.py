@@ -189,7 +189,8 @@ def _decay(
 def _swinging(t: Array, x: Array) -> slice:
     """The samples before the rest; all of few samples and of one value."""
     some = len(t) >= LEAST_SAMPLES and np.ptp(x) > 0
-    return moving(t, x, dominant_period(t, x)) if some else slice(None)
+    kept = moving(t, x, dominant_period(t, x)) if some else slice(None)
+    return kept if len(t[kept]) >= LEAST_SAMPLES else slice(None)
 
 
 def _beside(slow: SlowBaseLine | None, seen: Observations) -> Observations:

@@ -18,6 +18,8 @@ _SCATTER, _PERIODS, _A_PERIOD, _PAIRS = 1.3, 1.0, 8, 10
 """A scatter above this times the noise is motion (an amplitude of 1.2 of the noise); a shorter rest may be chance; a
 motion scatters twice as much as neighbours differ that are an eighth of its period apart; and so many neighbours as
 near as that know the noise."""
+_FEW, _SHORT = 2.0, 1.0
+"""Periods of a record that is cut half a period before its rest, and of one that is cut at all.  Choices."""
 _ROUNDING = 1e-6
 """Of a time stamp, in steps of the clock."""
 
@@ -42,4 +44,23 @@ def moving(t: Array, x: Array, period: float) -> slice:
     last = int(np.flatnonzero(still)[-1]) + 3
     if t[-1] - t[-last] < _PERIODS * period:
         return slice(None)
-    return slice(int(np.searchsorted(t, t[-last] - period / 2)))
+    begin = _first_quiet(t, x, period, len(t) - last, float(steps[last - 3]))
+    cut = t[begin] - period / 2
+    if cut - t[0] > _FEW * period:
+        return slice(int(np.searchsorted(t, cut)))
+    # Of a swing or two the last half one is much of what there is; of less a damped cosine tells more with its rest.
+    return slice(begin) if t[begin] - t[0] > _SHORT * period else slice(None)
+
+
+def _first_quiet(t: Array, x: Array, period: float, begin: int, noise: float) -> int:
+    """The first sample from ``begin`` on from which a period holds no motion: in a long rest the last swings of a
+    strong decay are few of many samples, and drown."""
+    total, squares = (np.concatenate([[0.0], np.cumsum((x - x[-1]) ** k)]) for k in (1, 2))
+    first = np.arange(begin, len(t))
+    after = np.searchsorted(t, t[first] + period)
+    whole = after < len(t)
+    first, after = first[whole], after[whole]
+    count = after - first
+    scatter = (squares[after] - squares[first]) / count - ((total[after] - total[first]) / count) ** 2
+    quiet = np.flatnonzero(scatter <= _SCATTER**2 * noise)
+    return int(first[quiet[0]]) if len(quiet) else begin

@@ -6,6 +6,7 @@ import pytest
 import asymptotics as asy
 from asymptotics.decays.identification.measuring import few_swings as module
 from asymptotics.decays.identification.measuring.few_swings import of_a_short_record, swings
+from asymptotics.decays.identification.sources import load
 from asymptotics.decays.identification.telling.envelope import envelope
 from asymptotics.errors import InputError
 
@@ -122,3 +123,16 @@ def test_one_swing_above_the_noise_of_a_long_record_is_told():
     found = told(x, t)["envelope"]
     assert float(found["period"]["low"]) <= 1 <= float(found["period"]["high"]) < 1.1
     assert all(float(row["low"]) <= 2 <= float(row["high"]) for row in found["quality"])
+
+
+@pytest.mark.parametrize(("quality", "per_period", "swings", "noise"), [(1.27, 106, 12, 0.05), (1.43, 46, 8, 0.017)])
+def test_a_strong_decay_with_a_long_rest_keeps_its_swings(quality, per_period, swings, noise):
+    """Refused before, all 10: the scatter of a long tail hides the last swings, and half a period before it was no more
+    left of the record than a few samples."""
+    g = 1 / (2 * quality)
+    w = np.sqrt(1 - g * g)
+    t = np.arange(0.3, np.pi * swings, 2 * np.pi / per_period)
+    x = np.exp(-g * t) * (np.cos(w * t) + g / w * np.sin(w * t))
+    for seed in range(5):
+        (seen,) = load({"t": t, "x": x + noise * np.random.default_rng(seed).standard_normal(len(t))})
+        assert envelope(seen).period["estimate"] == pytest.approx(2 * np.pi / w, rel=0.08)
