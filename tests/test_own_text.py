@@ -28,6 +28,7 @@ READERS = {
 MADE = {"str", "repr", "format", "latex", "sstr", "text", "exact", "nstr"}
 TOLD = {
     "asymptotics/numbers/policy.py: parse_rational": "the text of a float is its value: the shortest decimal",
+    "asymptotics/decays/comparison/units.py: Fraction": "the same",
     "asymptotics/decays/identification/certified_sets/table_rows.py: Fraction": "the same",
     "asymptotics/numbers/double_error.py: Fraction": "an error of two digits, which is what it prints",
     "asymptotics/present/percent.py: Decimal": "two digits of a share, which are what is printed, without an exponent",

@@ -111,7 +111,7 @@ def cells_so_far(
     >>> right = Cells(("k", "value"), (("1", "0.5"),), ("k",))
     >>> found = cells_so_far([(2, ("1", "0.5")), (3, ("2", "0.7"))], ("k", "value"), right, 12)
     >>> len(found.rows), found.summary["missing"], "order" in found.summary
-    (1, 'lines 3 ... 3 (1 rows)', False)
+    (1, 'lines 3 ... 3 (1 row)', False)
     """
     there = {_key(row, right.header, right.keys) for row in right.rows}
     done = [(line, row) for line, row in given if len(row) == len(header) and _key(row, header, right.keys) in there]

@@ -1,10 +1,11 @@
 """The columns of a JSON file: named lists, rows with names, a list of pairs, or one object in each line.
 
->>> columns_of_json('{"meta": {"fs": 50}, "t": [0, 1], "x": [1, 0.5]}')
+>>> def columns(text: str) -> dict[str, object]: return _columns(_parsed(text), "")
+>>> columns('{"meta": {"fs": 50}, "t": [0, 1], "x": [1, 0.5]}')
 {'meta/fs': 50, 't': [0, 1], 'x': [1, 0.5]}
->>> columns_of_json('[{"t": 0, "x": 1}, {"t": 1, "x": null}]') == columns_of_json('{"t": 0, "x": 1}\\n{"t": 1}')
+>>> columns('[{"t": 0, "x": 1}, {"t": 1, "x": null}]') == columns('{"t": 0, "x": 1}\\n{"t": 1}')
 True
->>> columns_of_json('{"columns": ["t", "x"], "data": [[0, 1], [1, 0.5]]}')
+>>> columns('{"columns": ["t", "x"], "data": [[0, 1], [1, 0.5]]}')
 {'t': [0, 1], 'x': [1, 0.5]}
 """
 
@@ -53,12 +54,8 @@ def _times(value: list[Any]) -> Any:
     return times if order else past_midnight(times)
 
 
-def columns_of_json(text: str) -> dict[str, Any]:
-    """Columns and other values by the path of their names; ValueError for what is no JSON."""
-    return _columns(_parsed(text), "")
-
-
 def _parsed(text: str) -> Any:
+    """What it holds; ValueError for what is no JSON."""
     try:
         return json.loads(text)
     except json.JSONDecodeError:
@@ -66,6 +63,7 @@ def _parsed(text: str) -> Any:
 
 
 def _columns(found: Any, path: str) -> dict[str, Any]:
+    """Columns and other values by the path of their names."""
     if isinstance(found, Mapping):
         names: Any = found.get("columns")
         rows: Any = found.get("data")

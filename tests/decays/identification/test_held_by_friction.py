@@ -15,8 +15,9 @@ HELD = (
     0.11988, -0.11140, 0.10268, -0.09435, 0.08619, -0.07770, 0.06979, -0.06152, 0.05368, -0.04548, 0.03752, -0.02951,
     0.02167, -0.01356, 0.00567, 0.00220,
 )  # fmt: skip
-EDGE = np.array([-0.00274775, 0.03635976, 0.0682521, 0.00014882])
-"""A law whose 16th amplitude is 2e-8 of a metre: it was fitted to these points, the last one among them."""
+EDGE = np.array([-0.00254775, 0.03635976, 0.0682521, 0.00014882])
+"""A law whose 16th amplitude is 2e-5 of a metre, after one of 7e-3: next to one that was fitted to these points, the
+last one among them, and had 2e-8 there, for which an exact half-swing is no longer found."""
 
 
 def test_the_held_point_is_left_out_and_the_law_is_found():
@@ -31,7 +32,7 @@ def test_what_was_fitted_can_be_asked_after_another_law_was(monkeypatch):
     model = Model(read_candidate("free").swing(), Observations.of(range(16), HELD))
     model.swing.tolerance = 2e-5
     sizes = model.amplitudes(EDGE)[0]
-    assert 0 < sizes[-1] < 1e-6
+    assert 0 < sizes[-1] < 2e-5
 
     def astray(swing, count, law, guess):
         if guess is not None:
