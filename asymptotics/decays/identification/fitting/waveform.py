@@ -139,8 +139,8 @@ class WaveformModel(Model):
             inside = t[0] <= centre - np.pi / 2 / rate and centre + np.pi / 2 / rate <= t[-1]
             if inside and (place[near] < 0).any() and (place[near] > 0).any():
                 power, sign = float(wave @ wave), float(self.seen.sign[0]) * (-1.0) ** n
-                # Neighbours that remember count for fewer.
-                spread = self.samples.noise * np.sqrt((1 + self.samples.memory) / (1 - self.samples.memory) / power)
+                rho = self._rho[np.flatnonzero(near)[:-1]]
+                spread = self.samples.noise * np.sqrt(_correlated_square(wave, rho)) / power
                 found.append((n, size[n] + sign * float(wave @ left[near]) / power, spread))
         rows = np.array(found).reshape(-1, 3)
         return rows[:, 0].astype(int), rows[:, 1], rows[:, 2]
@@ -251,6 +251,20 @@ def _nodes(swing: HalfSwingModel, a: Array, law: Array, well: float) -> tuple[Ar
         y, tau = y + h / 6 * (y1 + 2 * y2 + 2 * y3 + y4), tau + h / 6 * (t1 + 2 * t2 + 2 * t3 + t4)
     nodes = [np.stack(part) for part in zip(*found, strict=True)]
     return nodes[0], nodes[1], nodes[2], nodes[3]
+
+
+def _correlated_square(w: Array, rho: Array) -> float:
+    """w^T C w, where the correlation of two samples is the product of the ``rho`` of the gaps between them.
+
+    >>> w, C = np.array([1.0, 2.0, 3.0]), np.array([[1, 0.5, 0.4], [0.5, 1, 0.8], [0.4, 0.8, 1]])
+    >>> bool(np.isclose(_correlated_square(w, np.array([0.5, 0.8])), w @ C @ w))
+    True
+    """
+    carried = total = 0.0
+    for each, r in zip(w.tolist(), [0.0, *rho.tolist()], strict=True):
+        carried = each + r * carried
+        total += each * (2 * carried - each)
+    return total
 
 
 def _is_kinked(swing: HalfSwingModel) -> bool:
