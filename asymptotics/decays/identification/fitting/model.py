@@ -50,7 +50,9 @@ class Model:
         self.angle = UNITS.get(seen.unit, 1.0) if pendulum else None
         self.reference = seen.reference if self.angle is None else float(well(seen.reference, self.angle))
         if self.angle is not None:
-            swing = PendulumHalfSwing(swing.elements, seen.reference * self.angle, coarse=swing.coarse)
+            # The turning point before the first sample, or before the first that counts, may be the largest.
+            largest = float(np.abs(seen.x).max()) * self.angle
+            swing = PendulumHalfSwing(swing.elements, seen.reference * self.angle, largest=largest, coarse=swing.coarse)
         self.swing, self.seen = swing, seen
         # Of fewer turning points an offset takes a parameter that the law needs more. A choice.  Peaks of one side know
         # none: it would be any loss that falls with the amplitude.

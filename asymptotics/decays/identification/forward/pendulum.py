@@ -52,16 +52,20 @@ _ORDERS = {1: 8, 2: 6, 3: 5}
 
 
 class PendulumHalfSwing(HalfSwingModel):
-    """The half-swing at amplitudes A with 2 sin(A/2) = 2 sin(amplitude/2) e^a; ``amplitude`` in rad."""
+    """The half-swing at amplitudes A with 2 sin(A/2) = 2 sin(amplitude/2) e^a; ``amplitude``, and the ``largest`` that
+    there may be, in rad."""
 
-    def __init__(self, elements: Sequence[Element], amplitude: float, *, coarse: bool = False) -> None:
+    def __init__(
+        self, elements: Sequence[Element], amplitude: float, *, largest: float = 0.0, coarse: bool = False
+    ) -> None:
         super().__init__(elements, coarse=coarse)
         # With four losses and more the order is 4.
         self.order = _ORDERS.get(len(self.elements), 4)
         self.k2 = float(np.sin(min(amplitude, HIGHEST) / 2) ** 2)
         # Three digits, so that near amplitudes share one table of the cache; 0.02 keeps the interval of u from
         # vanishing at small angles.
-        self.top = float(f"{min(max(_ROOM * -np.log1p(-self.k2), 0.02), -np.log(np.cos(HIGHEST / 2) ** 2)):.3g}")
+        far = np.sin(min(max(amplitude, largest), HIGHEST) / 2) ** 2
+        self.top = float(f"{min(max(_ROOM * -np.log1p(-far), 0.02), -np.log(np.cos(HIGHEST / 2) ** 2)):.3g}")
         self._series = _interpolated(self.elements, self.order, self.top)
         self._slopes = chebyshev.chebder(self._series) * 2 / self.top
         # Set by each evaluation; before the first nothing is known of what is neglected.

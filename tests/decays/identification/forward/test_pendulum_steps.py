@@ -48,6 +48,18 @@ def test_above_the_highest_amplitude_the_period_is_held_there():
     assert swing.period_ratio(np.array([5.0])) == pytest.approx(2 * ellipk(k2(HIGHEST)) / np.pi, rel=1e-4)
 
 
+def test_the_table_holds_a_larger_amplitude_that_is_told():
+    """Failed before: of a release from 140 degrees, whose first extreme that counts is at 125, the right law was at
+    the edge of the table, could not be reached, and was refuted."""
+    first, released = np.radians([125.0, 140.0])
+    a = np.log(np.sin(np.array([released / 2])) / np.sin(first / 2))
+    exact = 2 * ellipk(k2(released))
+    found = PendulumHalfSwing([loss(1)], first, largest=released).at(a, np.zeros(1))
+    assert found.of("T") == pytest.approx([exact], abs=1e-8)
+    with pytest.raises(TooStrongError, match="leaves the table"):
+        PendulumHalfSwing([loss(1)], first).at(a, np.zeros(1))
+
+
 def test_over_the_top_and_beyond_the_table_there_is_no_swing():
     high, low = PendulumHalfSwing([loss(1)], 3.05), PendulumHalfSwing([loss(1)], 1.0)
     over = lambda size, amplitude: np.array([np.log(np.sin(size / 2) / np.sin(amplitude / 2))])  # noqa: E731
