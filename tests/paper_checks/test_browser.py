@@ -133,7 +133,7 @@ def test_a_font_without_the_root_or_without_tall_brackets_is_noticed(drawing, tm
 def test_a_power_beside_an_index_leaves_the_letter_alone(drawing, tmp_path):
     """V leans over the place of its power: the page's style moves the power away; moved the other way they touch.
 
-    Without a style they touch in Chromium as it was in the summer of 2026, and no longer in 156.
+    Without a style they touch in earlier Chromiums, and no longer in 156.
     """
     cell = mathml("V_0^2")
     (style,) = re.findall(r"msubsup [^{}]*\{[^{}]*\}", _PAGE.read_text("utf-8"))
@@ -150,7 +150,7 @@ def pieces(ink):
 def test_brackets_about_a_letter_stand_close_to_it(drawing, tmp_path):
     """As close as brackets that stand by themselves, and those with the room that Chromium left are seen to be wide.
 
-    Until the summer of 2026 it left room for the largest size about a bracket that may grow.
+    Before 156 it left room for the largest size about a bracket that may grow.
     """
     pair = [mathml(r"X{\left(\psi \right)}"), mathml(r"X(\psi)")]
     assert 'stretchy="true"' not in pair[0]

@@ -20,7 +20,7 @@ import numpy as np
 
 from asymptotics.decays.identification.between_amplitudes import pairs
 from asymptotics.decays.identification.damping_columns import CLOCKS, PHASE, Columns, read_columns
-from asymptotics.decays.identification.found_law import UNTESTED, DampingLaw
+from asymptotics.decays.identification.found_law import UNIT_OF_X, UNTESTED, DampingLaw
 from asymptotics.decays.identification.inverse_damping import DampingCandidate, Problem, fitted, weighted
 from asymptotics.decays.identification.resonance_table import as_losses, beyond_first_order
 from asymptotics.equivalent.rows import OF_MOTION, row_at
@@ -121,7 +121,7 @@ def law_of_table(
         notes += ("no resolutions: taken equal, as large as the best candidate needs, so none is refuted by chance",)
     turning = spring == PENDULUM or read.unit in ANGLES
     # Of amplitudes without a unit b/m is told in their own.
-    length = "rad" if turning else "m" if read.unit or omega_0 is None else "(unit of x)"
+    length = "rad" if turning else "m" if read.unit or omega_0 is None else UNIT_OF_X
     frame = BARE if mass is None else Frame(length, "s")
     off = None if driven else _neglected(problem, found[0], ends)
     relative = inf if spread is None and len(values) == 1 else float(np.median(s / zeta))

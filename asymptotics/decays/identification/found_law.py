@@ -19,6 +19,8 @@ from asymptotics.present.percent import at_most, percent
 from asymptotics.present.shown import Page, Rows
 from asymptotics.terms_given import PENDULUM
 
+UNIT_OF_X = "(unit of x)"
+"""Of strengths over the mass, where amplitudes have a unit that nobody says."""
 UNTESTED = "not tested"
 """The grade of the laws of one strength beside one loss: each meets it."""
 # So many rivals are named; the table below has all of them.
@@ -30,7 +32,7 @@ class DampingLaw(Rows):
     """``laws``: the candidates, best first; ``neglected``: what the first order lacks of the motion, relative, at most.
 
     ``resolution``: of the values, relative, the median; ``frame``: strengths are b in its units, or epsilon;
-    ``per_mass``: they are b/m, where the frequency alone is known.
+    ``per_mass``: they are b/m, where the frequency alone is known, in the unit of the amplitudes.
     ``verdict`` says in words what the table tells and what not.  ``table``: the columns that were used, in m or rad.
     """
 
@@ -112,7 +114,8 @@ class DampingLaw(Rows):
         return {
             "verdict": verdict.text, "verdict_kind": verdict.kind, "untried": [],
             "quantity": self.problem.quantity, "points": self.points,
-            "amplitudes": [repr(low), repr(high)], "laws": laws, "si": bool(self.frame), "certified": False,
+            "amplitudes": [repr(low), repr(high)], "laws": laws, "per_mass": self.per_mass,
+            "si": bool(self.frame) and self.frame.x != UNIT_OF_X, "certified": False,
             "neglected": None if self.neglected is None else f"{self.neglected:.2g}", "notes": list(self.notes),
         }  # fmt: skip
 

@@ -1,6 +1,6 @@
 """Files that this program wrote and that hold no data: which command wrote them, and which one takes them.
 
->>> require_data(("law", "verdict", "parameter", "estimate"), "out.csv")
+>>> require_data(("law", "verdict", "parameter", "estimate", "code [identify]"), "out.csv")
 Traceback (most recent call last):
     ...
 asymptotics.errors.InputError: argument FILE: out.csv is what asymptotics identify --csv wrote: laws, strengths and ...
@@ -28,9 +28,15 @@ _WRITTEN: dict[tuple[str, ...], tuple[str, str, str]] = {
 
 
 def require_data(names: Sequence[str], name: str) -> None:
-    """InputError where the columns are those of an answer, which is no measurement."""
-    found = _WRITTEN.get(tuple(n.split(" [")[0] for n in names[:3]))
-    if found is not None:
+    """InputError where the columns are those of an answer, which is no measurement.
+
+    Each of them ends with its code; a table of somebody else may begin with the same names.
+
+    >>> require_data(("part", "amplitude", "zeta"), "mine.csv")
+    """
+    plain = [n.split(" [")[0] for n in names]
+    found = _WRITTEN.get(tuple(plain[:3]))
+    if found is not None and plain[-1] == "code":
         command, holds, accepted = found
         raise InputError("FILE", f"{name} is what asymptotics {command} wrote: {holds}", accepted)
 

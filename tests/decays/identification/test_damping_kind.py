@@ -152,6 +152,10 @@ def test_the_frequency_alone_tells_b_over_m_in_the_unit_that_is_said():
     assert [law.strengths for law in found.laws] == [law.strengths for law in si.laws]
     assert any("Q 58.73" in note for note in found.notes)
     assert "b/m_2 = 0.005236 1/(unit of x)" in asy.identify(table, omega_0=6).verdict.text
+    # Failed before: "si" was true of strengths in a unit that nobody says.
+    told, si = asy.identify(table, omega_0=6).to_dict(), asy.identify(table, mass=1, stiffness=36).to_dict()
+    assert (told["si"], told["per_mass"], si["si"], si["per_mass"]) == (False, True, True, False)
+    assert found.to_dict()["si"] is True  # b/m in 1/m
     with pytest.raises(InputError, match="unit: mm contradicts the column"):
         asy.identify({"t": [0, 10], "A (cm)": [5, 3]}, unit="mm")
 

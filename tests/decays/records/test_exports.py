@@ -8,9 +8,9 @@ import asymptotics as asy
 from asymptotics.shell.main import main
 
 ROWS = {
-    "identify --csv": "law,verdict,parameter,estimate,low,high\n1,consistent,epsilon 1,0.03,0.02,0.04\n" * 2,
-    "damping --from .*--csv": "law,grade,alpha,low,strength,high\n1,consistent,1,0.02,0.03,0.04\n2,refuted,2,1,2,3\n",
-    "damping --csv": "part,amplitude,zeta,Q\nfirst order,1,0.02,23.5\nfirst order,2,0.04,11.7\n",
+    "identify --csv": "law,verdict,parameter,estimate,low,high,code\n1,consistent,epsilon 1,0.03,0.02,0.04,a\n" * 2,
+    "damping --from .*--csv": "law,grade,alpha,low,strength,high,code\n1,good,1,2,3,4,a\n2,bad,2,1,2,3,a\n",
+    "damping --csv": "part,amplitude,zeta,Q,code\nfirst order,1,0.02,23.5,a\nfirst order,2,0.04,11.7,a\n",
 }
 
 
@@ -23,6 +23,13 @@ def test_an_answer_is_no_data_and_says_which_it_is(tmp_path, capsys, wrote, comm
     assert main([*command.split(), str(path)]) == 2
     said = capsys.readouterr().err
     assert "is what asymptotics" in said and wrote.split(" .*")[0] in said
+
+
+def test_a_table_of_somebody_else_under_the_same_names_is_read(tmp_path):
+    """Failed before: refused as what damping --csv wrote."""
+    path = tmp_path / "mine.csv"
+    path.write_text("part,amplitude,zeta\nleft,1,0.01\nleft,2,0.02\nleft,3,0.03\n")
+    assert asy.identify(path, kind="damping").best.name == "2"
 
 
 @pytest.mark.parametrize("command", ["identify", "damping --from", "compare"])
