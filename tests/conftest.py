@@ -30,7 +30,7 @@ FIRST = (  # what imports derivations, each of which is proved once in a process
     "tests/envelopes/test_large", "tests/expansions/straightening/", "tests/paper_checks/test_every_statement",
     "tests/paper_checks/test_links", "tests/paper_checks/test_methods",
     "tests/paper_checks/test_report", "tests/paper_checks/test_font", "tests/paper_checks/test_browser",
-    "tests/paper_checks/test_play",
+    "tests/paper_checks/test_play", "tests/paper_checks/test_errata", "tests/paper_checks/test_found",
     "tests/test_readme",
 )  # fmt: skip
 
