@@ -82,8 +82,9 @@ def value(shown: sympy.Basic) -> sympy.Basic:
 
 
 def _integrated(integral: sympy.Integral) -> sympy.Expr:
-    """The integral of c x^p from 0, p > -1, or of a sum of c x^n e^(ikx), such as a polynomial in sin x and cos x; any
-    other as it is, but none of a quotient with x in the denominator and a sine or cosine.
+    """The integral of c x^p, p > -1 from 0 or p != -1 between positive places, or of a sum of c x^n e^(ikx), such as a
+    polynomial in sin x and cos x; any other as it is, but none of a quotient with x in the denominator and a sine or
+    cosine.
 
     SymPy finds these by trial, in seconds, and how many depends on the hash seed; here the second is
     int x^n e^(rx) = e^(rx) sum_j (-1)^j n!/(n-j)! x^(n-j)/r^(j+1).  After a quotient it may search until it has filled
@@ -92,6 +93,8 @@ def _integrated(integral: sympy.Integral) -> sympy.Expr:
     >>> x = sympy.Symbol("x", real=True)
     >>> _integrated(sympy.Integral(x * sympy.sin(x)**2, (x, 0, sympy.pi)))
     pi**2/4
+    >>> [_integrated(sympy.Integral(1 / x**2, (x, low, 3))) for low in (2, 0, -1)]
+    [1/6, Integral(x**(-2), (x, 0, 3)), Integral(x**(-2), (x, -1, 3))]
     >>> _integrated(sympy.Integral(sympy.exp(x**2), (x, 0, 1)))
     Integral(exp(x**2), (x, 0, 1))
     >>> _integrated(sympy.Integral(1 / (x + sympy.sin(x)), (x, 1, 2)))
@@ -104,8 +107,9 @@ def _integrated(integral: sympy.Integral) -> sympy.Expr:
         return integral
     x, low, high = limits[0]
     factor, power = sympy.powsimp(sympy.expand_power_base(f)).as_coeff_exponent(x)
-    if low == 0 and not factor.has(x) and (power + 1).is_positive:
-        return factor * high ** (power + 1) / (power + 1)
+    inside = low.is_positive and high.is_positive and (power + 1).is_nonzero
+    if not factor.has(x) and not power.has(x) and (inside or low == 0 and (power + 1).is_positive):
+        return factor * (high ** (power + 1) - low ** (power + 1)) / (power + 1)
     if not f.has(sympy.sin, sympy.cos):
         return integral
     if (waves := _waves(f, x) or _waves(sympy.expand(f), x)) is None:
