@@ -39,7 +39,7 @@ from asymptotics.decays.identification.telling.decline import (
     decline_of,
     decline_of_few,
 )
-from asymptotics.decays.records.units import SECONDS
+from asymptotics.decays.records.units import SECONDS, UNITS
 from asymptotics.numbers.quantities import ANGLES
 
 _INVERTED = {"low": "high", "estimate": "estimate", "high": "low"}
@@ -149,7 +149,8 @@ def envelope(seen: Observations) -> MeasuredEnvelope | None:
         turns = line_turns(seen.samples, seen.t[inside], n)
         size = turns.size
     root = None if turns is None else turns.size_root
-    decline = decline_of_few(n, size, known) if len(n) < _FEWEST else decline_of(n, size, known, alike, root)
+    angle = float(size[0]) * UNITS[seen.unit] if seen.unit in ANGLES else 0.0
+    decline = decline_of_few(n, size, known) if len(n) < _FEWEST else decline_of(n, size, known, alike, root, angle)
     if decline is None:
         return None
     times = _turning_times(seen, inside, size, turns, decline) if seen.has_times else None
