@@ -30,7 +30,7 @@ FIRST = (  # what imports derivations, each of which is proved once in a process
     "tests/envelopes/test_large", "tests/expansions/straightening/", "tests/paper_checks/test_every_statement",
     "tests/paper_checks/test_links", "tests/paper_checks/test_methods",
     "tests/paper_checks/test_report", "tests/paper_checks/test_font", "tests/paper_checks/test_browser",
-    "tests/paper_checks/test_play",
+    "tests/paper_checks/test_play", "tests/paper_checks/test_errata", "tests/paper_checks/test_found",
     "tests/test_readme",
 )  # fmt: skip
 
@@ -124,6 +124,11 @@ class ByFile(LoadScopeScheduling):
             return "certified"
         return "walks" if nodeid.startswith(WALKS) else nodeid.split("::")[0]
 
+    def _pending_of(self, workload):
+        for scope in [scope for scope, tests in workload.items() if all(tests.values())]:
+            del workload[scope]  # done: it is not counted again after each test to come
+        return super()._pending_of(workload)
+
 
 @pytest.hookimpl(optionalhook=True)  # not without pytest-xdist
 def pytest_xdist_make_scheduler(config, log):
@@ -152,6 +157,20 @@ def pytest_configure(config):
     """A worker that is done has said all: to free a gigabyte, object by object, takes seconds."""
     if hasattr(config, "workerinput"):  # not a pytest that a test starts, whose exit code counts
         atexit.register(os._exit, 0)
+        if config.option.durations is None:
+            _says_what_is_shown(next(one for one in config.pluginmanager.get_plugins() if hasattr(one, "sendevent")))
+
+
+def _says_what_is_shown(worker):
+    """Of six messages for each of ten thousand tests the three that the other side shows nothing of are not sent."""
+    send = worker.sendevent
+
+    def sendevent(name, **what):
+        around = name == "testreport" and what["data"]["when"] != "call" and what["data"]["outcome"] == "passed"
+        if name != "logstart" and not around:
+            send(name, **what)
+
+    worker.sendevent = sendevent
 
 
 def pytest_sessionfinish():

@@ -132,10 +132,15 @@ VARIANTS = (  # of the same types: what another law, start or way of asking make
 
 @cache
 def made(time: int = 1) -> dict[str, Any]:
-    """One of each type and variant, by its text, made once in a process for each ``time``."""
+    """One of each type and variant, by its text, made once in a process for each ``time``; a part is of its whole."""
     names: dict[str, Any] = {}
     exec(SETUP, names)
-    return {text: eval(text, names) for text in (*SAMPLES.values(), *VARIANTS)}
+    texts, found = (*SAMPLES.values(), *VARIANTS), {}
+    for text in sorted(texts, key=len):
+        whole = max((t for t in found if text.startswith((f"{t}.", f"{t}["))), key=len, default=None)
+        part = text if whole is None else f"whole{text.removeprefix(whole)}"
+        found[text] = eval(part, names | {"whole": found.get(whole)})
+    return {text: found[text] for text in texts}
 
 
 def name_of(found: type) -> str:
