@@ -2,8 +2,8 @@
 
 >>> roles(["theta (deg)", "u(theta)", "zeta [%]", "u(zeta)", "remark"])
 ['amplitude', None, 'zeta', 'resolution', None]
->>> roles(["A", "sd A", "force", "phi"])
-['amplitude', 'resolution', 'force', None]
+>>> roles(["A", "sd A", "force", "phi"]), roles(["A", "damping [%]"]), roles(["A", "damping"])
+(['amplitude', 'resolution', 'force', None], ['amplitude', 'zeta'], ['amplitude', None])
 """
 
 import re
@@ -39,6 +39,8 @@ _NAMES = {
     "t": "t, time, tau",
 }
 _WORDS = {word: what for what, words in _NAMES.items() for word in words.split(", ")}
+_IN_PER_CENT = ("damping", "daempfung", "dämpfung")
+"""A damping that is told in per cent is zeta, in those of the critical one."""
 _DEFLECTIONS = ("theta", "theta_a", "phi", "phi_a", "\u03b8", "\u03c6", "\u03d5", "angle", "roll", "heel", "x")
 """Amplitudes where a loss at each of them stands beside, and nothing else that is called an amplitude."""
 _PER_CENT, _DEGREE = 0.01, UNITS["deg"]
@@ -63,7 +65,7 @@ class Columns:
 
 def roles(names: Sequence[str]) -> list[str | None]:
     """What each column is; a name of the errors of another one, u(x) or sd x, is the resolution of what is measured."""
-    found = ["cycles" if numbers_peaks(name) else _WORDS.get(_plain(name)) for name in names]
+    found = ["cycles" if numbers_peaks(name) else _WORDS.get(_plain(name), _in_per_cent(name)) for name in names]
     errors = {place: of for place, of in errors_beside(names).items() if found[place] is None}
     losses = {*QUANTITIES} & {*found}
     if losses and "amplitude" not in found:
@@ -74,6 +76,10 @@ def roles(names: Sequence[str]) -> list[str | None]:
     for place, of in errors.items():
         found[place] = {measured: "resolution", "phase": "phase_resolution"}.get(found[of] or "")
     return found
+
+
+def _in_per_cent(name: str) -> str | None:
+    return "zeta" if _plain(name) in _IN_PER_CENT and suffix(name).lower() in _PERCENT else None
 
 
 def _is_deflection(name: str) -> bool:

@@ -25,7 +25,7 @@ from asymptotics.decays.records.lines import is_comment
 from asymptotics.decays.records.rates import rate_in
 from asymptotics.decays.records.stamps import is_stamp, order_of, past_midnight, seconds_of_stamp
 from asymptotics.decays.records.text import lines_of, unpacked
-from asymptotics.decays.records.units_in_cells import with_units_above
+from asymptotics.decays.records.units_in_cells import ROWS, named, number_before, unit_of, with_units_above
 from asymptotics.errors import InputError, require_choice, shown
 
 Array = NDArray[np.float64]
@@ -82,9 +82,10 @@ def opened(source: Any, how: How) -> Source:
         return _of_frame(source, "the data", how)
     if isinstance(source, Mapping):
         try:
-            return _of_frame(pandas.DataFrame({str(k): np.asarray(v) for k, v in source.items()}), "the data", how)
+            frame = pandas.DataFrame({str(k): np.asarray(v) for k, v in source.items()})
         except ValueError as error:
             raise InputError("data", str(error), "columns of equal length") from error
+        return _of_frame(frame, "the data", how)
     # Before paths: an open file has a name too. It is read whole, since it may be a pipe, which cannot be read twice.
     if hasattr(source, "read") and hasattr(source, "readline"):
         text = source.read()
@@ -215,15 +216,32 @@ def _of_frame(frame: Any, name: str, how: How) -> Source:
     headed = not all(isinstance(c, int) for c in frame.columns) and not all(_NO_NAME.fullmatch(n) for n in names)
     if not headed:
         names = tuple(f"column {i + 1}" for i in range(len(names)))
+    units = {i: unit for i in range(len(names)) if (unit := _unit_in_cells(frame.iloc[:, i]))}
+    names = tuple(named(names, units, name))
 
     def read(wanted: Sequence[int]) -> Body:
         unread = Unread()
-        columns = {c: _numbers(frame.iloc[:, c], c, unread, how.decimal or ".") for c in wanted}
+        bare = {c: _bare(frame.iloc[:, c], units[c], name) if c in units else frame.iloc[:, c] for c in wanted}
+        columns = {c: _numbers(column, c, unread, how.decimal or ".") for c, column in bare.items()}
         return Body(columns, np.arange(len(frame)), unread)
 
     rate = frame.attrs.get("rate") if isinstance(frame.attrs, dict) else None
     stamped = frozenset(i for i in range(len(names)) if _is_stamped(frame.iloc[:, i]))
     return Source(name, names, headed, read, lambda wanted: read(wanted).columns, rate=rate, stamped=stamped)
+
+
+def _unit_in_cells(column: Any) -> str:
+    """The unit in the cells of a column of text, as in "5 cm"."""
+    return unit_of([cell for cell in column.head(ROWS).tolist() if isinstance(cell, str)])
+
+
+def _bare(column: Any, unit: str, name: str) -> Any:
+    """The numbers of such cells."""
+    cells = [
+        number_before(cell, unit, f"{name}, row {i}") if isinstance(cell, str) else cell
+        for i, cell in enumerate(column.tolist())
+    ]
+    return _pandas().Series(cells, dtype=object)
 
 
 def _is_stamped(column: Any) -> bool:

@@ -13,14 +13,14 @@ asymptotics.errors.InputError: argument FILE: run.csv, row 3: '29 mm' where the 
 """
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, islice
 
 from asymptotics.decays.records.lines import is_comment, split
 from asymptotics.decays.records.units import ACCELERATIONS, SECONDS, SPEEDS, UNITS, standard, suffix
 from asymptotics.errors import InputError
 
-_HEAD, _ROWS, _MOST = 200, 5, 0.5
+_HEAD, ROWS, _MOST = 200, 5, 0.5
 """Lines in which such a row is sought, rows that are looked at, and the share of them that have the unit."""
 _SIGNED = r"[+\u2212-]?(?:\d[\d.,]*|[.,]\d+)(?:[eE][+-]?\d+)?"
 _CELL = re.compile(rf"(?P<number>{_SIGNED})\s*(?P<unit>[^\d\s.,;|\t+-][^\d;|\t]*)")
@@ -41,7 +41,8 @@ def with_units_above(lines: Iterable[str], name: str) -> Iterator[str]:
     above = _header(head, start, separator)
     for i, line in enumerate(chain(head, lines)):
         if i == above:
-            yield separator.join(_named(split(line, separator), units, f"{name}, row {i + 1}"))
+            names = named(split(line, separator), units, f"{name}, row {i + 1}")
+            yield separator.join(f'"{cell}"' if "," in cell or ";" in cell else cell for cell in names)
         elif i < start or is_comment(line):
             yield line
         else:
@@ -55,6 +56,31 @@ def _unit_in(cell: str) -> str:
     return unit if unit in _KNOWN else ""
 
 
+def unit_of(cells: Sequence[str]) -> str:
+    """The unit behind the number in the first of these cells, and in most of them; empty without one.
+
+    >>> unit_of(["3.21 cm", "2.9 cm"]), unit_of(["3.21 cm", "29 mm", "2.9"]), unit_of(["a", "b"])
+    ('cm', '', '')
+    """
+    unit = _unit_in(cells[0]) if cells else ""
+    return unit if unit and sum(_unit_in(cell) == unit for cell in cells) >= _MOST * len(cells) else ""
+
+
+def number_before(cell: str, unit: str, where: str) -> str:
+    """The number of a cell in this unit, what is neither as it is; InputError for a number in another unit, or in
+    none.
+
+    >>> number_before("3.21 cm", "cm", "row 1"), number_before("nan", "cm", "row 2")
+    ('3.21', 'nan')
+    """
+    found = _CELL.fullmatch(cell.strip())
+    if found and _unit_in(cell) == unit:
+        return found["number"]
+    if found or _NUMBER.fullmatch(cell.strip()):
+        raise InputError("FILE", f"{where}: {cell[:30]!r} where the cells above are in {unit}", "one unit")
+    return cell
+
+
 def _first(head: Sequence[str], separator: str) -> tuple[str, int, dict[int, str]] | None:
     """The separator, the line of the first row and the units of its columns; None where no column has any."""
     rows = [(i, split(line, separator)) for i, line in enumerate(head) if separator in line and _QUICK.search(line)]
@@ -63,13 +89,11 @@ def _first(head: Sequence[str], separator: str) -> tuple[str, int, dict[int, str
     if start is None:
         return None
     cells = split(head[start], separator)
-    following = [split(line, separator) for line in head[start : start + _ROWS]]
+    following = [split(line, separator) for line in head[start : start + ROWS]]
     following = [row for row in following if len(row) == len(cells)]
     units = {}
-    for place, cell in enumerate(cells):
-        unit = _unit_in(cell)
-        alike = sum(_unit_in(row[place]) == unit for row in following)
-        if unit and alike >= _MOST * len(following):
+    for place in range(len(cells)):
+        if unit := unit_of([row[place] for row in following]):
             units[place] = unit
     return (separator, start, units) if units and len(following) > 1 else None
 
@@ -87,14 +111,15 @@ def _header(head: Sequence[str], start: int, separator: str) -> int | None:
     return above[-1]
 
 
-def _named(names: Sequence[str], units: dict[int, str], where: str) -> list[str]:
-    named = list(names)
+def named(names: Sequence[str], units: Mapping[int, str], where: str) -> list[str]:
+    """The names of columns with the units in their cells; InputError where a name has another one."""
+    found = list(names)
     for place, unit in units.items():
         other = suffix(names[place])
         if other and other != unit:
             raise InputError("FILE", f"{where}: the cells of {names[place]!r} are in {unit}", "one unit")
-        named[place] = names[place] if other else f"{names[place]} [{unit}]"
-    return [f'"{cell}"' if "," in cell or ";" in cell else cell for cell in named]
+        found[place] = names[place] if other else f"{names[place]} [{unit}]"
+    return found
 
 
 def _bare(line: str, separator: str, units: dict[int, str], where: str, *, apart: bool) -> str:
@@ -102,13 +127,7 @@ def _bare(line: str, separator: str, units: dict[int, str], where: str, *, apart
     cells = []
     for place, cell in enumerate(split(line, separator)):
         unit = units.get(place)
-        number = cell
-        if unit and cell:
-            found = _CELL.fullmatch(cell.strip())
-            if found and _unit_in(cell) == unit:
-                number = found["number"]
-            elif found or _NUMBER.fullmatch(cell.strip()):
-                raise InputError("FILE", f"{where}: {cell[:30]!r} where the cells above are in {unit}", "one unit")
+        number = number_before(cell, unit, where) if unit and cell else cell
         cells.append(f'"{number}"' if separator in number else number)
         cells += [unit] if unit and apart else []
     return separator.join(cells)

@@ -1,6 +1,7 @@
 """The unit in every cell of a column is that of the column; a cell in another one is named."""
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import asymptotics as asy
@@ -51,3 +52,18 @@ def test_tables_of_damping_hear_them_too(tmp_path):
     right = asy.damping_law({"A": [0.1, 0.2, 0.4, 0.8], "zeta": [0.012, 0.0141, 0.0178, 0.0261]}, laws="1+2")
     found = asy.damping_law(path, laws="1+2")
     assert [s.estimate for s in found.laws[0].strengths] == pytest.approx([s.estimate for s in right.laws[0].strengths])
+
+
+def test_a_frame_and_a_mapping_have_units_in_their_cells_too():
+    """Failed before: '5.000 cm' is not a number."""
+    rows = [swing(i) for i in range(60)]
+    cells = {"t": [f"{t:.2f} s" for t, _ in rows], "x": [f"{x:.4f} cm" for _, x in rows]}
+    for data in (cells, pd.DataFrame(cells)):
+        found = read_table(data)
+        assert (found.kind, found.unit, found.clock) == ("record", "cm", "s")
+        assert found.columns["x"] == pytest.approx([x for _, x in rows], abs=1e-4)
+    odd = {**cells, "x": [*cells["x"][:-1], "29 mm"]}
+    with pytest.raises(InputError, match="the data, row 59: '29 mm' where the cells above are in cm"):
+        read_table(odd)
+    with pytest.raises(InputError, match=r"the data: the cells of 'x \(mm\)' are in cm"):
+        read_table({"t": cells["t"], "x (mm)": cells["x"]})

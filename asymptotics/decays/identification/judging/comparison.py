@@ -1,11 +1,12 @@
 """All candidates fitted to one run: each to the data themselves, or contained in a law that was, and is far from them.
 
 A law has at most the likelihood of a law that contains it.  So where a larger law is fitted and far from the best, all
-laws inside it are refuted by the same fit; all others are fitted.  What the limit of work or time leaves has no fit and
-says so (``UNTRIED``): it is not judged.
+laws inside it are refuted by the same fit; all others are fitted.  A minimiser may end where no law is near: witnesses
+inside the larger law, fitted by themselves, must not be better, or the larger one begins there.  What the limit of work
+or time leaves has no fit and says so (``UNTRIED``): it is not judged.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -22,10 +23,10 @@ from asymptotics.decays.identification.judging.single_fits import embedded, fit_
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.running.budget import tick
 
-_MARGIN, _WORSE, _MANY = 50.0, 1e-3, 6
+_MARGIN, _WORSE, _MANY, _WITNESSES = 50.0, 1e-3, 6, 2
 """AICc above the best, beyond which a law is no rival (e^-25); log-likelihoods are alike within 1e-3, by which two runs
-of the minimiser may differ; a spring with so many laws has its largest fitted first.  Choices: they decide which laws a
-larger one speaks for, never what is said of a law that is fitted."""
+of the minimiser may differ; a spring with so many laws has its largest fitted first, which so many inside it may
+contradict.  Choices: they decide which laws a larger one speaks for, never what is said of a law that is fitted."""
 
 
 def fit_laws(
@@ -34,8 +35,18 @@ def fit_laws(
     """All candidates: the largest law of each spring first, then from few terms to many."""
     heads = heads_of(candidates)
     found = {c: Fitted(c, None, UNTRIED) for c in candidates}
-    for candidate in sorted(candidates, key=lambda c: (c not in heads, len(c.elements) + c.free)):
+    for head in sorted(heads, key=lambda c: len(c.elements) + c.free):
+        tick(f"the law {head}, of {len(found)}")
+        found[head] = work.within(partial(_fitted, head, found, seen, noise), found[head])
+    for head in heads:
+        if _is_far(found[head], found.values()):
+            tick(f"laws inside {head}")
+            nothing: dict[Candidate, Fitted] = {}
+            found |= work.within(partial(_with_witnesses, found[head], candidates, seen, noise), nothing)
+    for candidate in sorted(candidates, key=lambda c: len(c.elements) + c.free):
         law = found[candidate]
+        if law.reason != UNTRIED:
+            continue
         tick(f"the law {candidate}, {sum(f.reason != UNTRIED for f in found.values()) + 1} of {len(found)}")
         said = _spoken_for(candidate, found)
         if said:
@@ -52,6 +63,23 @@ def heads_of(candidates: Sequence[Candidate]) -> list[Candidate]:
         families.setdefault((candidate.springs, candidate.pendulum), []).append(candidate)
     largest = [(max(family, key=lambda c: len(c.losses)), family) for family in families.values()]
     return [head for head, family in largest if sum(c.is_within(head) for c in family) >= _MANY]
+
+
+def _with_witnesses(
+    head: Fitted, candidates: Sequence[Candidate], seen: Observations, noise: Noise | None
+) -> dict[Candidate, Fitted]:
+    """Two laws with one loss inside a head, fitted by themselves (viscous drag and dry friction, where they are among
+    them), and the head from the better one, where it is worse.  Of a pendulum from 145 degrees four losses at once went
+    astray, and none of its laws was tried."""
+    inside = [c for c in candidates if len(c.losses) == 1 and c != head.candidate and c.is_within(head.candidate)]
+    inside.sort(key=lambda c: abs(c.elements[0].velocity - 1))
+    found = {c: fit_law(c, seen, noise) for c in inside[:_WITNESSES]}
+    best = max(found.values(), key=lambda law: law.likelihood, default=head)
+    if best.fit is not None and best.likelihood > head.likelihood + _WORSE:
+        start = embedded(best.fit, best.candidate, head.candidate)
+        again = fit_law(head.candidate, seen, noise, start=start)
+        found[head.candidate] = max(head, again, key=lambda law: law.likelihood)
+    return found
 
 
 def _fitted(candidate: Candidate, found: dict[Candidate, Fitted], seen: Observations, noise: Noise | None) -> Fitted:
@@ -81,10 +109,16 @@ def _spoken_for(candidate: Candidate, found: dict[Candidate, Fitted]) -> str:
     for law in found.values():
         if law.fit is None or not law.fit.converged or not candidate.is_within(law.candidate):
             continue
-        beyond = -2 * law.likelihood - least
-        if beyond > _margin(found.values()) and _is_trusted(law, found):
+        if _is_far(law, found.values()) and _is_trusted(law, found):
+            beyond = -2 * law.likelihood - least
             return f"{law.candidate}, which contains it, is fitted and {beyond:.3g} of AICc above the best"
     return ""
+
+
+def _is_far(law: Fitted, laws: Collection[Fitted]) -> bool:
+    """Whether the likelihood of a fit makes it, and all that is inside it, no rival of the best."""
+    least = min((other.criterion for other in laws), default=float("inf"))
+    return law.fit is not None and -2 * law.likelihood - least > _margin(laws)
 
 
 def _is_trusted(law: Fitted, found: dict[Candidate, Fitted]) -> bool:

@@ -8,6 +8,7 @@ from asymptotics.decays.identification.fitting.least_squares import Fit, fit
 from asymptotics.decays.identification.fitting.model import Model, Noise
 from asymptotics.decays.identification.fitting.printed import DecrementModel, Decrements, decrement_start
 from asymptotics.decays.identification.fitting.starting import starting_values
+from asymptotics.decays.identification.fitting.tail import from_the_tail
 from asymptotics.decays.identification.fitting.waveform import WaveformModel
 from asymptotics.decays.identification.forward.candidates import Candidate
 from asymptotics.decays.identification.forward.coefficients import Array
@@ -51,11 +52,21 @@ def _fit_motion(candidate: Candidate, seen: Observations, noise: Noise | None, s
         return Fitted(candidate, None, reason=f"{many(len(model.data), 'sample')} for {model.size} unknowns")
     try:
         if start is None:
-            start = _from_turning_points(candidate, seen)
+            begun = [_from_turning_points(candidate, seen), from_the_tail(candidate, seen)]
+            start = min((s for s in begun if s is not None), key=lambda s: _misfit(model, s))
         found = _fit_from(model, model.start(start), noise)
         return Fitted(candidate, found)
     except (TooStrongError, np.linalg.LinAlgError) as error:
         return Fitted(candidate, None, reason=f"no fit: {error}")
+
+
+def _misfit(model: WaveformModel, start: Array) -> float:
+    """What a start leaves of the samples; no number is better than one of a motion that ends."""
+    try:
+        left = model.data - model.predict(model.start(start))[0]
+    except TooStrongError:
+        return float("inf")
+    return float(left @ left)
 
 
 def _from_turning_points(candidate: Candidate, seen: Observations) -> Array:

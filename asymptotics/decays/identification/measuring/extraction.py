@@ -1,7 +1,5 @@
 """Turning points and passages of a sampled record, by local polynomials with propagated errors.
 
-The local fits are those of Savitzky and Golay (1964), of one degree and at any spacing of the samples.
-
 The record may be uneven, have gaps and NaN, drift, a forced beginning and a noisy tail.  In turn: rows without numbers
 go; the period is found in the spectrum; a smoothed copy gives the lobes between passages through the base line; around
 each extreme and each passage a polynomial is fitted to the raw samples, and its extreme (or root) is taken with the
@@ -16,14 +14,23 @@ amplitude sinks into the noise.  What was discarded is said in ``notes``.
 (36, True)
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.counted_swings import EXACT, half_swings_between, start_of_freedom
 from asymptotics.decays.identification.measuring.defects import shape_notes, usable
+from asymptotics.decays.identification.measuring.extremes import (
+    SAMPLES,
+    WIDEST,
+    WINDOW,
+    Extremes,
+    extremes_of,
+    half_width,
+)
 from asymptotics.decays.identification.measuring.few_swings import observations_of_few_swings
 from asymptotics.decays.identification.measuring.late_extremes import DEGREE, Window
 from asymptotics.decays.identification.measuring.main_frequency import dominant_period
@@ -38,9 +45,6 @@ from asymptotics.numbers.quantities import ANGLES
 from asymptotics.present.counts import many
 
 _RECORD = RowPlaces("the record")
-_WINDOW, _WIDEST, _SAMPLES = 0.11, 0.26, 4.6
-"""Half-width of a local fit, in periods: 0.7 rad, where a polynomial of degree 6 follows a cosine to 1e-7.  Where the
-samples are few it is nine of them, which the fit needs, up to a quarter of a period, where it follows to 1e-5."""
 _COARSE = 2e-4
 """What the widest local fit leaves without noise, as ``EXACT`` of the narrowest."""
 _LEAST_SAMPLES = 22
@@ -58,6 +62,11 @@ _FEW_EXTREMES = 20
 _LEAST_EXTREMES, _SCARCE, _LOUD = 4, 8, 0.02
 """Extremes of a free decay; and where they are fewer than 8 under a noise above 0.02 of the largest, the samples are
 fitted however short the record is: a local polynomial loses such extremes, or moves them."""
+_STRONG = 3.0
+"""How much further the motion was before its first extreme, for a swing of which so little is left that what follows
+tells no amplitude before it.  A choice, that of ``judgement.outside``."""
+_FALLEN = 0.1
+"""Of the first value, at which a first fall is over."""
 # Nine tenths of the gaps must be below twice the usual one, or a window has too few samples somewhere.
 _UNEVEN = 2.0
 _FOUND = 0.75
@@ -66,19 +75,6 @@ _FEW = 1.0
 """Extremes a period (there are two) below which a line is taken off before the passages are sought."""
 # Binomial weights: the alternating part cancels up to its fourth difference, in short records up to the second.
 _MEANS, _FEW_MEANS = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16, np.array([1.0, 2.0, 1.0]) / 4
-
-
-@dataclass(frozen=True)
-class _Points:
-    """Extremes and passages found about one base line."""
-
-    t: Array
-    x: Array
-    sigma_t: Array
-    sigma_x: Array
-    passage_t: Array
-    sigma_passage: Array
-    noise: float
 
 
 def observations_of_record(
@@ -106,7 +102,7 @@ def observations_of_record(
     uneven = float(np.quantile(steps, 0.9)) > _UNEVEN * float(np.median(steps))
     if per_period < (_SPARSE if uneven else _LEAST_SAMPLES):
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
-    found, base = _about_base_line(t, x, period)
+    period, found, base = _with_extremes(t, x, period)
     if len(found.x) < 4 or _is_full_of_gaps(found, period):
         return observations_of_motion(t, x, unit=unit, name=name, notes=table.notes)
     # A drift below three errors is removed all the same, but not worth telling.
@@ -123,17 +119,16 @@ def observations_of_record(
         kept = (*table.notes, *discarded, f"of a free decay only {many(len(chosen), 'turning point')}")
         return observations_of_few_swings(t[free], x[free], unit=unit, name=name, notes=kept)
     # Windows of nine samples for seven coefficients throw most of a sparse record away: noise that is seen is enough.
-    sparse = per_period < _SAMPLES / _WINDOW
+    sparse = per_period < SAMPLES / WINDOW
     noisy = found.noise > (_COARSE if sparse else _NOISY) * abs(found.x[chosen[0]])
     hard = per_period < _SPARSE or abs(found.x[chosen[-1]]) < _DEEP * found.noise
     # Of a few periods the smooth line has too little to begin with.
     few = len(chosen) < _FEW_EXTREMES and found.noise > _COARSE * abs(found.x[chosen[0]])
     if (whole_motion or few or noisy and hard) and (t[-1] - t[0]) / period > 4:
-        first, last = _to_passages(found, chosen)
-        free = (t >= first) & (t <= last)
-        kept = (*table.notes, *discarded)
+        free, told = _to_passages(found, chosen, t, x - base[0] - base[1] * (t - t[0]))
+        kept = (*table.notes, *discarded, *told)
         return observations_of_motion(t[free], x[free], unit=unit, name=name, notes=kept, period=period)
-    found = _at_quiet_times(t, x - base[0] - base[1] * (t - t[0]), found, chosen, _half_width(t, period))
+    found = _at_quiet_times(t, x - base[0] - base[1] * (t - t[0]), found, chosen, half_width(t, period))
     notes += discarded + shape_notes(t, x, found.x[chosen], found.sigma_x[chosen], period)
     seen = _assembled(found, chosen, unit, name, [*notes, f"sample noise {found.noise:.3g}"])
     if unit in ANGLES and abs(found.x[chosen[0]]) * UNITS[unit] > _FAR and len(t) <= MAX_SAMPLES:
@@ -142,44 +137,67 @@ def observations_of_record(
         far = f"angles beyond {np.degrees(_FAR):.0f} degrees: all {free.sum()} samples fitted"
         error = np.full(len(seen.n), found.noise)
         return replace(seen, samples=samples, notes=(*seen.notes, far), sigma_x=error, sigma_t=error / seen.reference)
-    half = _half_width(t, period)
-    floor = float(np.interp(half / period, (_WINDOW, _WIDEST), (EXACT, _COARSE)))
+    half = half_width(t, period)
+    floor = float(np.interp(half / period, (WINDOW, WIDEST), (EXACT, _COARSE)))
     free = (t >= seen.t[0]) & (t <= seen.t[-1])
     record = t[free], (x - base[0] - base[1] * (t - t[0]))[free]
     return replace(seen, window=Window.of(t, seen.t, half, 2 * np.pi / period), floor=floor, record=record)
 
 
-def _to_passages(found: _Points, chosen: Indices) -> tuple[float, float]:
-    """From the first chosen extreme to the last, and on to the passage beside it where nothing was left out there.
+def _to_passages(found: Extremes, chosen: Indices, t: Array, x: Array) -> tuple[NDArray[np.bool_], list[str]]:
+    """Which samples lie between the first chosen extreme and the last, and on to the passage beside it where nothing
+    was left out there; not before a first one of a swing that leaves little, which is told.
 
     At its very ends a smooth line is known badly; who passes the base line is free.
     """
     first, last = float(found.t[chosen[0]]), float(found.t[chosen[-1]])
     before, after = found.passage_t[found.passage_t < first], found.passage_t[found.passage_t > last]
-    half = float(np.median(np.diff(found.t)))
+    half, told = float(np.median(np.diff(found.t))), []
     if chosen[0] == 0 and len(before) and first - before[-1] < half:
-        first = float(before[-1])
+        start, left = float(np.abs(x[t < first]).max()), abs(float(found.x[0]))
+        if start > _STRONG * left:
+            told = [f"the first swing, from {start:.3g} to {left:.3g}, is not fitted: what follows tells little of it"]
+        else:
+            first = float(before[-1])
     if chosen[-1] == len(found.t) - 1 and len(after) and after[0] - last < half:
         last = float(after[0])
-    return first, last
+    return (t >= first) & (t <= last), told
 
 
-def _about_base_line(t: Array, x: Array, period: float) -> tuple[_Points, Array]:
+def _with_extremes(t: Array, x: Array, period: float) -> tuple[float, Extremes, Array]:
+    """The period, the extremes and the base line; where they are too few, those with the period of what follows the
+    first fall from a release: where that takes nine tenths, the spectrum of the whole is that of the fall."""
+    found, base = _about_base_line(t, x, period)
+    if len(found.x) >= _LEAST_EXTREMES:
+        return period, found, base
+    away = np.abs(x - np.median(x))
+    fallen = np.flatnonzero(away < _FALLEN * away[0])
+    if not len(fallen) or len(t) - fallen[0] <= _LEAST_ROWS:
+        return period, found, base
+    rest = dominant_period(t[fallen[0] :], x[fallen[0] :])
+    behind, level = _about_base_line(t, x, rest)
+    # Noise has extremes too.
+    if len(behind.x) >= _LEAST_EXTREMES and abs(behind.x[0]) > _DEEP * behind.noise:
+        return rest, behind, level
+    return period, found, base
+
+
+def _about_base_line(t: Array, x: Array, period: float) -> tuple[Extremes, Array]:
     """The extremes and passages about the base line, and its level and slope."""
     base = np.array([float(np.median(x)), 0.0])
-    found = _points(t, x - base[0], period)
+    found = extremes_of(t, x - base[0], period)
     if len(found.x) < _FEW * (t[-1] - t[0]) / period:  # the drift hides the passages
         slope, level = np.polyfit(t - t[0], x, 1)
         base = np.array([level, slope])
-        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+        found = extremes_of(t, x - base[0] - base[1] * (t - t[0]), period)
     # Each pass leaves a fraction of the offset: extremes about a wrong base line are moved by it.
     for _ in range(2):
         base = base + _base_line(found, t[0])
-        found = _points(t, x - base[0] - base[1] * (t - t[0]), period)
+        found = extremes_of(t, x - base[0] - base[1] * (t - t[0]), period)
     return found, base
 
 
-def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: float) -> _Points:
+def _at_quiet_times(t: Array, x: Array, found: Extremes, chosen: Indices, half: float) -> Extremes:
     """The extremes with their values at the times of a smooth curve through all turning times (``quiet_times``)."""
     times = quiet_times(
         found.t[chosen], found.x[chosen], found.sigma_t[chosen], found.passage_t, half_swings_between(found.t[chosen])
@@ -197,109 +215,7 @@ def _at_quiet_times(t: Array, x: Array, found: _Points, chosen: Indices, half: f
     return replace(found, x=values)
 
 
-def _half_width(t: Array, period: float) -> float:
-    """Of the local fits: the same share of the period for all records, but as many samples as the fit needs."""
-    step = float(np.median(np.diff(t)))
-    return min(max(_WINDOW * period, _SAMPLES * step), _WIDEST * period)
-
-
-def _points(t: Array, x: Array, period: float) -> _Points:
-    """Extremes, one in each lobe of the smoothed record, and the passages between them."""
-    step = float(np.median(np.diff(t)))
-    half = _half_width(t, period)
-    # A twentieth of a period: noise goes, and a cosine loses 0.4 % of its height, which the local fits restore. Odd, so
-    # that it is centred.
-    width = max(1, int(0.05 * period / step)) | 1
-    smooth = _moving_mean(x, width)
-    crossing = np.flatnonzero(np.signbit(smooth[1:]) != np.signbit(smooth[:-1])) + 1
-    # Noise makes several crossings of one: the last of a group counts.
-    crossing = crossing[np.diff(t[crossing], append=np.inf) > 0.2 * period]
-    peaks = [
-        a + int(np.argmax(np.abs(smooth[a:b])))
-        for a, b in zip(crossing[:-1], crossing[1:])
-        # A lobe lasts half a period; one of 0.8 has a gap in it, or has lost a crossing.
-        if t[b] - t[a] < 0.8 * period and b - a >= 4
-    ]
-    # The extreme before the first crossing, where the record begins with a whole window about it.
-    if len(crossing) and len(peaks) and t[crossing[0]] - t[0] > 0.05 * period and t[crossing[0]] - t[0] < 0.8 * period:
-        first = int(np.argmax(np.abs(smooth[: crossing[0]])))
-        peaks = [first, *peaks] if first > 0 and t[first] - t[0] > half else peaks
-    extremes = [_local(t, x, t[p], half, extreme=True) for p in peaks]
-    passages = [_local(t, x, t[c], half, extreme=False) for c in crossing]
-    good = [e for e in extremes if e is not None]
-    roots = [p for p in passages if p is not None]
-    residual = [e[4] for e in good]
-    noise = float(np.median(residual)) if residual else 0.0
-    e = np.array(good).reshape(-1, 5)
-    p = np.array(roots).reshape(-1, 5)
-    return _Points(e[:, 0], e[:, 1], e[:, 2] * noise, e[:, 3] * noise, p[:, 0], p[:, 2] * noise, noise)
-
-
-def _moving_mean(x: Array, width: int) -> Array:
-    """The mean over ``width`` samples (odd) about each, by sums: the cost does not grow with the width."""
-    total = np.concatenate([[0.0], np.cumsum(np.pad(x, width // 2, mode="edge"))])
-    return np.asarray((total[width:] - total[:-width]) / width)
-
-
-def _local(t: Array, x: Array, centre: float, half: float, *, extreme: bool) -> tuple[float, ...] | None:
-    """(time, value, d time/noise, d value/noise, noise) of an extreme or a root near ``centre``, or None."""
-    # The window is centred again on the extreme that was found, where its errors are least, to less than a sample.
-    for attempt in range(3):
-        low, high = np.searchsorted(t, [centre - half, centre + half])
-        u, y = (t[low:high] - centre) / half, x[low:high]
-        # As above, and no gap of more than a quarter of the window within it.
-        if len(u) < DEGREE + 3 or u[0] > -0.7 or u[-1] < 0.7 or np.diff(u).max() > 0.5:
-            return None
-        V = np.vander(u, DEGREE + 1, increasing=True)
-        inverse = np.linalg.inv(V.T @ V)  # of degree 6 on [-1, 1]: a condition of 1e6, and much sooner than an SVD
-        c = inverse @ (V.T @ y)
-        root = _newton(np.polynomial.Polynomial(c), extreme)
-        if root is None:
-            return None
-        if abs(root) < 0.01 or attempt == 2:
-            break
-        centre += root * half
-    assert root is not None
-    powers = root ** np.arange(DEGREE + 1)
-    slopes = np.concatenate([[0.0], np.arange(1, DEGREE + 1) * powers[:-1]])
-    curve = np.concatenate([[0.0, 0.0], np.arange(2, DEGREE + 1) * np.arange(1, DEGREE) * powers[:-2]])
-    r = y - V @ c
-    spread = float(np.sqrt((r**2).sum() / (len(u) - DEGREE - 1)))
-    memory = _correlation_factor(r)
-    toward, steepness = (slopes, curve @ c) if extreme else (powers, slopes @ c)
-    # The error of a zero: that of the function (or its slope) over its own slope there.
-    in_time = float(np.sqrt(toward @ inverse @ toward) / abs(steepness) * half)
-    in_value = float(np.sqrt(powers @ inverse @ powers))
-    return centre + root * half, float(powers @ c), in_time * memory, in_value * memory, spread
-
-
-def _newton(polynomial: np.polynomial.Polynomial, extreme: bool) -> float | None:
-    function = polynomial.deriv() if extreme else polynomial
-    slope, u = function.deriv(), 0.0
-    # Newton's iteration in the unit of the window, from its middle; beyond 0.9 the polynomial is not known.
-    for _ in range(12):
-        d = float(slope(u))
-        if d == 0:
-            return None
-        step = float(function(u)) / d
-        u -= step
-        if abs(u) > 0.9:
-            return None
-        if abs(step) < 1e-13:
-            break
-    return u
-
-
-def _correlation_factor(r: Array) -> float:
-    """sqrt((1 + rho)/(1 - rho)): what correlated residuals add to the error of a mean."""
-    power = float((r**2).sum())
-    rho = float((r[1:] * r[:-1]).sum()) / power if power > 0 else 0.0
-    # The sum formula of AR(1); at 0.9 the error is stretched by 4.4, and a window knows no more than that.
-    rho = min(max(rho, 0.0), 0.9)
-    return float(np.sqrt((1 + rho) / (1 - rho)))
-
-
-def _base_line(found: _Points, start: float) -> Array:
+def _base_line(found: Extremes, start: float) -> Array:
     """Offset at the start and drift from the means of neighbours, weighted by the amplitude's smallness."""
     x, t = found.x, found.t
     weights = _MEANS if len(x) >= 12 else _FEW_MEANS
@@ -321,7 +237,7 @@ def _base_line(found: _Points, start: float) -> Array:
     return np.array([level, slope])
 
 
-def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
+def _free_decay(found: Extremes) -> tuple[Indices, list[str]]:
     """Indices of the free decay: from the largest turning point to the first that the noise hides."""
     size, notes, turning = np.abs(found.x), [], partial(many, thing="turning point")
     first = int(np.argmax(size >= size.max() - 4 * float(np.median(found.sigma_x))))  # noise alone makes none larger
@@ -349,13 +265,13 @@ def _free_decay(found: _Points) -> tuple[Indices, list[str]]:
     return chosen, notes
 
 
-def _is_full_of_gaps(found: _Points, period: float) -> bool:
+def _is_full_of_gaps(found: Extremes, period: float) -> bool:
     """Whether cells that are missing here and there leave so few of the extremes that they cannot be counted."""
     loud = found.t[np.abs(found.x) > 5 * found.sigma_x]
     return len(loud) > 1 and len(loud) - 1 < _FOUND * (loud[-1] - loud[0]) / (period / 2)
 
 
-def _is_scarce(found: _Points, chosen: Indices, x: Array) -> bool:
+def _is_scarce(found: Extremes, chosen: Indices, x: Array) -> bool:
     """Whether the extremes are so few and so noisy that the samples tell more."""
     # Neighbours of white noise differ by sqrt(2) of it, half of them by less than 0.6745 of that; steps and kinks,
     # which no polynomial follows, are none.
@@ -363,7 +279,7 @@ def _is_scarce(found: _Points, chosen: Indices, x: Array) -> bool:
     return len(chosen) < _SCARCE and min(found.noise, scatter) > _LOUD * float(np.abs(found.x).max())
 
 
-def _assembled(found: _Points, chosen: Indices, unit: str, name: str, notes: list[str]) -> Observations:
+def _assembled(found: Extremes, chosen: Indices, unit: str, name: str, notes: list[str]) -> Observations:
     """Numbers by the clock, so that a gap in the record is a gap in n; passages between the chosen extremes."""
     t = found.t[chosen]
     steps = half_swings_between(t)

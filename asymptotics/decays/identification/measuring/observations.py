@@ -20,6 +20,7 @@ from asymptotics.present.counts import many
 Indices = NDArray[np.intp]
 
 
+_OF_POINTS, _OF_PASSAGES = ("n", "x", "t", "sigma_x", "sigma_t"), ("passage_n", "passage_t", "sigma_passage")
 _TWO = ", two in a period (of peaks of one side: call their column cycle)"
 
 
@@ -176,11 +177,18 @@ class Observations(Alike):
     def up_to(self, last: int) -> "Observations":
         """The turning points n <= ``last`` only, and the passages between them."""
         keep, inside = self.n <= last, self.passage_n < last
-        cut: dict[str, Any] = {name: _kept(getattr(self, name), keep) for name in ("n", "x", "t", "sigma_x", "sigma_t")}
-        crossings: dict[str, Any] = {
-            name: _kept(getattr(self, name), inside) for name in ("passage_n", "passage_t", "sigma_passage")
-        }
+        cut: dict[str, Any] = {name: _kept(getattr(self, name), keep) for name in _OF_POINTS}
+        crossings: dict[str, Any] = {name: _kept(getattr(self, name), inside) for name in _OF_PASSAGES}
         return replace(self, **cut, **crossings, samples=None)
+
+    def since(self, place: int) -> "Observations":
+        """The turning points from this place on, numbered from 0, and the passages behind them; no samples."""
+        kept: dict[str, Any] = {name: _kept(getattr(self, name), slice(place, None)) for name in _OF_POINTS}
+        later = self.passage_n >= self.n[place]
+        crossings: dict[str, Any] = {name: _kept(getattr(self, name), later) for name in _OF_PASSAGES}
+        start = self.n[place]
+        kept |= {**crossings, "n": kept["n"] - start, "passage_n": crossings["passage_n"] - start}
+        return replace(self, **kept, samples=None)
 
     def between(self, low: float, high: float) -> "Observations":
         """The longest stretch of turning points with ``low`` <= |x_n| <= ``high``; the numbering starts with it."""
@@ -222,5 +230,5 @@ class Observations(Alike):
         )  # fmt: skip
 
 
-def _kept(values: NDArray[np.generic], keep: NDArray[np.bool_]) -> NDArray[np.generic]:
+def _kept(values: NDArray[np.generic], keep: NDArray[np.bool_] | slice) -> NDArray[np.generic]:
     return values[keep] if len(values) else values

@@ -1,7 +1,8 @@
 """The backbone of a record: its period at the amplitudes of the data, before any law.
 
 The time of a half-swing is half the period at its amplitude, T(A) = c_0 and powers 1, 2 and 4 of A (a spring x|x|, a
-cubic or fifth one, a pendulum), two of them at most; each choice has the weight of its AICc (``averaged``).  Sums over
+cubic or fifth one, a pendulum), two of them at most, of an angle beyond 1 rad also these times that of a pendulum,
+2 K(sin(A/2))/pi; each choice has the weight of its AICc (``averaged``).  Sums over
 the swings are fitted to the turning times, which forgives noise.  What a loss does to the period is of second order in
 its strength, and stands in T as it is.
 
@@ -20,6 +21,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.special import ellipk
 
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc, memory_factor
@@ -29,6 +31,8 @@ from asymptotics.decays.identification.telling.averaged import NORMAL, Told, ave
 Row = dict[str, float]
 _POWERS, _LEAST = ((0,), (0, 1), (0, 2), (0, 4), (0, 2, 4), (0, 1, 2)), 8
 """Of A, and turning times below which there is no error."""
+_FAR, _TOP = 1.0, 3.1
+"""Angles in rad from which on the period may be that of a pendulum, and up to which."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +41,7 @@ class TurningTimes:
     the first, where their errors are not alike; ``stated``: the standard error of the first, where it is known to be
     more than the scatter; ``root``: F of the covariance F F^T of their errors, where that is known, as of a
     smooth line; ``late``: by how much each is measured late over the strength of a dry friction, whose interval in the
-    unit of ``size`` is ``friction`` (None: by nothing)."""
+    unit of ``size`` is ``friction`` (None: by nothing); ``angle``: the first amplitude in rad (0: it is none)."""
 
     n: Indices
     size: Array
@@ -47,6 +51,7 @@ class TurningTimes:
     root: Array | None = None
     late: Array | None = None
     friction: Row | None = None
+    angle: float = 0.0
 
     @property
     def true(self) -> Array:
@@ -112,17 +117,29 @@ def period_at(times: TurningTimes) -> Callable[[float], Row] | None:
     if len(n) < _LEAST:
         return None
     middle = np.sqrt(size[1:] * size[:-1]) / size[0]
-    sums = {k: np.concatenate([[0.0], np.cumsum(np.diff(n) * middle**k)]) / 2 for k in (0, 1, 2, 4)}
-    found = [(powers, times.fitted([sums[k] for k in powers])) for powers in _POWERS]
-    found = [(powers, fit) for powers, fit in found if np.isfinite(fit.criterion)]
+    kinds = (0.0, times.angle) if _FAR < times.angle < _TOP else (0.0,)
+    found = []
+    for angle in kinds:
+        each = {k: np.diff(n) * _period(middle, k, angle) for k in (0, 1, 2, 4)}
+        sums = {k: np.concatenate([[0.0], np.cumsum(column)]) / 2 for k, column in each.items()}
+        found += [(angle, powers, times.fitted([sums[k] for k in powers])) for powers in _POWERS]
+    found = [(angle, powers, fit) for angle, powers, fit in found if np.isfinite(fit.criterion)]
     if not found:
         return None
 
     def at(amplitude: float) -> Row:
-        place = amplitude / size[0]
-        return times.row(amplitude, [(fit, np.array([place**k for k in powers])) for powers, fit in found])
+        place = np.array(amplitude / size[0])
+        told = [(fit, np.array([_period(place, k, angle) for k in powers])) for angle, powers, fit in found]
+        return times.row(amplitude, told)
 
     return at
+
+
+def _period(amplitude: Array, power: int, angle: float) -> Array:
+    """A power of A in units of the first; of an ``angle`` there, times the period of a pendulum over that of a small
+    swing."""
+    ratio = 2 / np.pi * ellipk(np.sin(np.minimum(amplitude * angle, _TOP) / 2) ** 2)
+    return np.asarray(amplitude**power * ratio)
 
 
 def mean_period(times: TurningTimes) -> Row:

@@ -31,8 +31,18 @@ _BESIDE, _STEPS, _WITHIN, _STILL = ((), (-1,), (0,)), 12, (-1.5, 4.0), 1e-6
 """What stands beside a power that is fitted, as of a loss whose exponent is no whole number; its steps from viscous
 drag on, what it may be, and a step that ends them.  Powers of halves and quarters in its place hold the fall by
 exponents 4/3 and 17/10 in 0 to 40 % of the intervals of decays in a noise of 0.0003."""
+_STEP = 1e-4
+"""Of a power, for a derivative by it."""
 _ROUGHLY, _FAR_OFF = (-1, 0, 1), (-20.0, 5.0)
 """The powers of a first fit; logarithms beyond which its curve is none."""
+_FAR, _TOP = 1.0, 3.1
+"""Angles from which on the fall may be that of a pendulum, and up to which its amplitudes are told.  Below the first
+the powers follow it within a thousandth."""
+_PLACES = np.pi / 4 * (1 + np.tanh(np.sinh(np.linspace(-3, 3, 61))))
+_COSINES = np.cos(_PLACES)
+_WEIGHTS = np.cosh(np.linspace(-3, 3, 61)) / np.cosh(np.sinh(np.linspace(-3, 3, 61))) ** 2
+"""Of integrals over a quarter of a turn, by the rule of Takahasi and Mori: for any power of the cosine, and up to the
+top; a factor of all weights counts for nothing."""
 _FOR_SCATTER = 6
 """Third differences that tell a scatter.  A choice."""
 
@@ -41,7 +51,8 @@ _FOR_SCATTER = 6
 class _Fall:
     """2 sinh of half the fall of ln A in a half-swing as a sum of powers, with the ``covariance`` of the coefficients;
     ``free``: the last power was fitted too, and the last coefficient, which is 0, is that of its change; the
-    ``criterion`` of this choice, and the freedoms behind its errors."""
+    ``criterion`` of this choice, and the freedoms behind its errors; ``angle``: of powers beside a pendulum, the first
+    amplitude in rad (0: beside a linear spring)."""
 
     powers: tuple[float, ...]
     coefficients: Array
@@ -49,12 +60,13 @@ class _Fall:
     criterion: float = 0.0
     freedom: float = np.inf
     free: bool = False
+    angle: float = 0.0
 
     def at(self, amplitude: float) -> Told:
         """The fall of ln A."""
-        by = np.array([amplitude**k for k in self.powers])
+        by = np.array([_power(np.array(amplitude), k, self.angle) for k in self.powers])
         if self.free:
-            by = np.append(by, by[-1] * np.log(amplitude))
+            by = np.append(by, _by_power(np.array(amplitude), self.powers[-1], self.angle))
         half, error = float(by @ self.coefficients) / 2, float(np.sqrt(by @ self.covariance @ by))
         return Told(2 * float(np.arcsinh(half)), error / float(np.hypot(1.0, half)), self.criterion, self.freedom)
 
@@ -64,8 +76,9 @@ class _Fall:
         if -1 not in self.powers:
             return Told(0.0, 0.0, self.criterion)
         place = self.powers.index(-1)
-        error = float(np.sqrt(self.covariance[place, place]))
-        return Told(float(self.coefficients[place]), error, self.criterion, self.freedom)
+        small = _sine(self.angle)
+        error = small * float(np.sqrt(self.covariance[place, place]))
+        return Told(small * float(self.coefficients[place]), error, self.criterion, self.freedom)
 
 
 @dataclass(frozen=True)
@@ -90,11 +103,12 @@ class Decline:
 
 
 def decline_of(
-    n: Indices, size: Array, stated: float, error: Array | float, root: Array | None = None
+    n: Indices, size: Array, stated: float, error: Array | float, root: Array | None = None, angle: float = 0.0
 ) -> Decline | None:
     """What ln A loses in a half-swing at an amplitude: sums of powers of A, weighted by their criterion.
 
-    ``root``: F of the covariance F F^T of the amplitudes, where it is known, as that of a smooth line.
+    ``root``: F of the covariance F F^T of the amplitudes, where it is known, as that of a smooth line; ``angle``: the
+    first amplitude in rad, where they are those of an angle (0: they are not).
     """
     # Of a few points all choices of one power have as many numbers: their sums of squares alone compare them.
     few = len(n) < LEAST
@@ -102,6 +116,9 @@ def decline_of(
     found = [tried.fall(c) for c in _choices(_POWERS, 1 if few else _TERMS)]
     if not few:
         found += [tried.free(beside) for beside in _BESIDE]
+        if _FAR < angle < _TOP:
+            found += [tried.fall(c, angle) for c in _choices(_POWERS[:-1], _TERMS)]
+            found += [tried.free(beside, angle) for beside in _BESIDE]
     falls = sorted((f for f in found if np.isfinite(f.criterion)), key=lambda fall: fall.criterion)
     if few:
         falls = [fall for fall in falls if fall.criterion < falls[0].criterion + _NEAR]
@@ -133,7 +150,7 @@ class _Logarithms:
         self.bent = np.ones(len(self.gap))
         logarithm = np.log(size / size[0])
         self._weigh(size / size[0] / error, logarithm)
-        V = np.stack([self.ones, *(self.column(k) for k in _ROUGHLY)], axis=1)
+        V = np.stack([self.ones, *(self.column(self.middle**k) for k in _ROUGHLY)], axis=1)
         c = np.linalg.lstsq(V, self.y, rcond=None)[0]
         s = np.stack([self.middle**k for k in _ROUGHLY], axis=1) @ c[1:]
         # s = 2 sinh(L/2) is the sum of powers, and L is what ln A loses: L/s hardly depends on a first s.
@@ -149,29 +166,31 @@ class _Logarithms:
     def _weigh(self, weight: Array, logarithm: Array) -> None:
         self.weight, self.ones, self.y = weight, self.white @ weight, self.white @ (weight * logarithm)
 
-    def column(self, power: float, logs: int = 0) -> Array:
-        """What a power of A (times ln A) in each half-swing makes of the logarithms: sums forgive noise where
-        differences would not."""
-        each = self.gap * self.bent * self.middle**power * np.log(self.middle) ** logs
-        return np.asarray(self.white @ (self.weight * -np.concatenate([[0.0], np.cumsum(each)])))
+    def column(self, each: Array) -> Array:
+        """What the falls in each half-swing make of the logarithms: sums forgive noise where differences would not."""
+        return np.asarray(self.white @ (self.weight * -np.concatenate([[0.0], np.cumsum(self.gap * self.bent * each)])))
 
-    def fall(self, powers: tuple[float, ...]) -> _Fall:
+    def fall(self, powers: tuple[float, ...], angle: float = 0.0) -> _Fall:
         """By these powers."""
-        return self._told(powers, [self.column(k) for k in powers])
+        return self._told(powers, [self.column(_power(self.middle, k, angle)) for k in powers], angle=angle)
 
-    def free(self, beside: tuple[float, ...]) -> _Fall:
+    def free(self, beside: tuple[float, ...], angle: float = 0.0) -> _Fall:
         """By one power that is fitted, beside others: linear steps from 0, as long as they lead anywhere."""
-        power, columns = 0.0, [self.column(k) for k in beside]
+        power, columns = 0.0, [self.column(_power(self.middle, k, angle)) for k in beside]
         for _ in range(_STEPS):
-            by = [*columns, self.column(power), self.column(power, 1)]
+            by = [*columns, *self._moved(power, angle)]
             c = np.linalg.lstsq(np.stack([self.ones, *by], axis=1), self.y, rcond=None)[0]
             step = float(np.clip(c[-1] / c[-2], -0.5, 0.5)) if c[-2] else 0.0
             power = float(np.clip(power + step, *_WITHIN))
             if abs(step) < _STILL:
                 break
-        return self._told((*beside, power), [*columns, self.column(power), self.column(power, 1)], free=True)
+        return self._told((*beside, power), [*columns, *self._moved(power, angle)], True, angle)
 
-    def _told(self, powers: tuple[float, ...], columns: list[Array], free: bool = False) -> _Fall:
+    def _moved(self, power: float, angle: float) -> list[Array]:
+        """The columns of a power and of its change."""
+        return [self.column(part(self.middle, power, angle)) for part in (_power, _by_power)]
+
+    def _told(self, powers: tuple[float, ...], columns: list[Array], free: bool = False, angle: float = 0.0) -> _Fall:
         V = np.stack([self.ones, *columns], axis=1)
         # The rest position was taken from them too, which counts where they are few.
         freedom = max(len(self.y) - V.shape[1] - self.few, 1)
@@ -186,7 +205,42 @@ class _Logarithms:
         noise = max(rss / freedom, 1.0) if self.known else max(rss / freedom, self.stated**2) * memory_factor(left)
         covariance = (np.linalg.pinv(V.T @ V) * noise)[1:, 1:]
         told = np.asarray(c[1:], dtype=float)
-        return _Fall(powers, told, covariance, value, np.inf if self.known else freedom, free)
+        return _Fall(powers, told, covariance, value, np.inf if self.known else freedom, free, angle)
+
+
+def _power(amplitude: Array, power: float, angle: float) -> Array:
+    """A power of A in units of the first; where that is an ``angle``, what stands in its place beside a pendulum: the
+    fall by a loss in v^(power + 1), to first order.
+
+    With q = 2 sin(x/2) = 2 k cos(phi) such a loss takes from ln q in a half-swing what is in proportion to
+    q^power int_0^(pi/2) cos(phi)^(power + 2)/sqrt(1 - k^2 sin(phi)^2) dphi, and d ln A/d ln q = tan(A/2)/(A/2).
+
+    >>> from scipy.special import ellipe, ellipk
+    >>> k = np.sin(1.0)  # viscous drag, at 2 rad
+    >>> viscous = 4 / np.pi * (ellipe(k**2) - (1 - k**2) * ellipk(k**2)) / k**2 * np.tan(1.0)
+    >>> bool(np.isclose(_power(np.array([1.0]), 0.0, 2.0)[0], viscous, rtol=1e-8))
+    True
+    """
+    if not angle:
+        return np.asarray(amplitude**power)
+    half = np.minimum(amplitude * angle, _TOP) / 2
+    k = np.sin(half)
+    each = _COSINES ** (power + 2) / np.sqrt(1 - (k[..., None] ** 2) * (1 - _COSINES**2))
+    ratio = (each @ _WEIGHTS) / (_COSINES ** (power + 2) @ _WEIGHTS)
+    return np.asarray((k / np.sin(angle / 2)) ** power * ratio * np.tan(half) / half)
+
+
+def _by_power(amplitude: Array, power: float, angle: float) -> Array:
+    """The derivative of ``_power`` by the power."""
+    if not angle:
+        return np.asarray(amplitude**power * np.log(amplitude))
+    up, down = (_power(amplitude, power + step, angle) for step in (_STEP, -_STEP))
+    return np.asarray((up - down) / (2 * _STEP))
+
+
+def _sine(angle: float) -> float:
+    """sin(x/2)/(x/2): what a small amplitude is in units of the first, over the same of the well coordinate."""
+    return float(np.sinc(angle / 2 / np.pi))
 
 
 def _scatter(gap: Indices, left: Array) -> float:

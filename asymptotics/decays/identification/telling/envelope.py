@@ -16,7 +16,7 @@ points every power is believed; two have an interval where their errors are know
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, log, pi
 from typing import Any
 
@@ -39,7 +39,7 @@ from asymptotics.decays.identification.telling.decline import (
     decline_of,
     decline_of_few,
 )
-from asymptotics.decays.records.units import SECONDS
+from asymptotics.decays.records.units import SECONDS, UNITS
 from asymptotics.numbers.quantities import ANGLES
 
 _INVERTED = {"low": "high", "estimate": "estimate", "high": "low"}
@@ -149,7 +149,8 @@ def envelope(seen: Observations) -> MeasuredEnvelope | None:
         turns = line_turns(seen.samples, seen.t[inside], n)
         size = turns.size
     root = None if turns is None else turns.size_root
-    decline = decline_of_few(n, size, known) if len(n) < _FEWEST else decline_of(n, size, known, alike, root)
+    angle = _first_angle(seen, size)
+    decline = decline_of_few(n, size, known) if len(n) < _FEWEST else decline_of(n, size, known, alike, root, angle)
     if decline is None:
         return None
     times = _turning_times(seen, inside, size, turns, decline) if seen.has_times else None
@@ -172,6 +173,11 @@ def envelope(seen: Observations) -> MeasuredEnvelope | None:
     untold = "nobody says how fast it swings (--omega0)" if unknown else ""
     unsure = "" if len(n) > 2 or known else "two amplitudes have an interval only with their errors (a column of them)"
     return MeasuredEnvelope(period, quality, life, seen.shown_unit, time, rows, rates, untold, unsure)
+
+
+def _first_angle(seen: Observations, size: Array) -> float:
+    """The first amplitude in rad, where it is an angle; else 0."""
+    return float(size[0]) * UNITS[seen.unit] if seen.unit in ANGLES else 0.0
 
 
 def _is_one_line(samples: Samples) -> bool:
@@ -269,11 +275,13 @@ def _turning_times(
     late = 1 / (np.pi * float(n[-1] - n[0]) / float(t[-1] - t[0]) * size)
     if turns is not None:
         late = late * LINE_LATENESS[turns.harmonics]
-        return TurningTimes(n, size, turns.t, root=turns.time_root, late=late, friction=decline.friction())
+        found = TurningTimes(n, size, turns.t, root=turns.time_root, late=late, friction=decline.friction())
+        return replace(found, angle=_first_angle(seen, size))
     # An extreme is found by its curvature, the worse the smaller it is.
     late = late * (LINE_LATENESS[1, 3] if seen.window is None else seen.window.lateness(0.0))
     stated = float(np.mean(error * weight))
-    return TurningTimes(n, size, t, stated, weight, late=late, friction=decline.friction())
+    found = TurningTimes(n, size, t, stated, weight, late=late, friction=decline.friction())
+    return replace(found, angle=_first_angle(seen, size))
 
 
 def _backbone(times: TurningTimes | None, time: str) -> tuple[Ends, ...]:

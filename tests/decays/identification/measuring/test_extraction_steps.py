@@ -6,15 +6,13 @@ import numpy as np
 import pytest
 
 from asymptotics.decays.identification.measuring.counted_swings import half_swings_between, start_of_freedom
-from asymptotics.decays.identification.measuring.extraction import (
-    _base_line,
+from asymptotics.decays.identification.measuring.extraction import _base_line, _free_decay, _is_scarce
+from asymptotics.decays.identification.measuring.extremes import (
+    Extremes,
     _correlation_factor,
-    _free_decay,
-    _is_scarce,
     _local,
     _moving_mean,
     _newton,
-    _Points,
 )
 
 
@@ -22,7 +20,7 @@ def extremes(x, t=None, sigma=1e-3):
     x = np.asarray(x, dtype=float)
     t = np.arange(len(x)) * 0.5 if t is None else np.asarray(t, dtype=float)
     none = np.array([])
-    return _Points(t, x, np.full(len(x), 1e-4), np.full(len(x), float(sigma)), none, none, float(sigma))
+    return Extremes(t, x, np.full(len(x), 1e-4), np.full(len(x), float(sigma)), none, none, float(sigma))
 
 
 def times(*disturbed, count=14):

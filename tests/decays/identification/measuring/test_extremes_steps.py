@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from asymptotics.decays.identification.measuring import extraction
-from asymptotics.decays.identification.measuring.extraction import _assembled, _half_width, _Points, _points
+from asymptotics.decays.identification.measuring.extraction import _assembled
 from asymptotics.decays.identification.measuring.extraction import observations_of_record as observed
+from asymptotics.decays.identification.measuring.extremes import Extremes, extremes_of, half_width
 from asymptotics.errors import InputError
 
 
@@ -15,8 +16,8 @@ from asymptotics.errors import InputError
 )
 def test_a_window_is_a_share_of_the_period_or_as_wide_as_nine_samples(step, half):
     """0.11 of it; 4.6 samples where that is more; 0.26 at most."""
-    assert _half_width(np.arange(50) * step, 1.0) == pytest.approx(half, rel=1e-2)
-    assert _half_width(np.arange(50) * step * 7, 7.0) == pytest.approx(7 * half, rel=1e-2)
+    assert half_width(np.arange(50) * step, 1.0) == pytest.approx(half, rel=1e-2)
+    assert half_width(np.arange(50) * step * 7, 7.0) == pytest.approx(7 * half, rel=1e-2)
 
 
 PERIOD = 2 * np.pi
@@ -25,7 +26,7 @@ T = np.arange(0.0, 40.0, 0.05)
 
 def test_extremes_and_passages_of_a_cosine_are_where_they_are():
     random = 1e-4 * np.random.default_rng(7).standard_normal(len(T))
-    found = _points(T, 2 * np.cos(T) + random, PERIOD)
+    found = extremes_of(T, 2 * np.cos(T) + random, PERIOD)
     k, m = np.arange(1, 13), np.arange(0, len(found.passage_t))
     assert len(found.t) == 12 and found.t == pytest.approx(k * np.pi, abs=5e-4)  # 13 pi is 40.8
     assert found.x == pytest.approx(2 * (-1.0) ** k, abs=3e-4)
@@ -37,8 +38,8 @@ def test_extremes_and_passages_of_a_cosine_are_where_they_are():
 
 
 def test_the_extreme_before_the_first_passage_counts_where_a_window_fits_about_it():
-    half = _half_width(T, PERIOD)
-    late = lambda shift: _points(T, np.cos(T - shift), PERIOD).t[0]  # noqa: E731
+    half = half_width(T, PERIOD)
+    late = lambda shift: extremes_of(T, np.cos(T - shift), PERIOD).t[0]  # noqa: E731
     assert late(half + 0.15) == pytest.approx(half + 0.15, abs=1e-3)
     assert late(half - 0.15) == pytest.approx(half - 0.15 + np.pi, abs=1e-3)
     assert late(0.0) == pytest.approx(np.pi, abs=1e-3)
@@ -46,7 +47,7 @@ def test_the_extreme_before_the_first_passage_counts_where_a_window_fits_about_i
 
 def test_a_lobe_with_a_gap_in_it_has_no_extreme():
     keep = (T < 20.6) | (T > 24.2)  # from 6.56 pi to 7.7 pi: the passage at 7.5 pi is gone, and the extreme at 7 pi
-    found = _points(T[keep], np.cos(T[keep]), PERIOD)
+    found = extremes_of(T[keep], np.cos(T[keep]), PERIOD)
     numbers = np.round(found.t / np.pi).astype(int).tolist()
     assert 7 not in numbers and {5, 9, 10} <= set(numbers)
     assert found.t == pytest.approx(np.round(found.t / np.pi) * np.pi, abs=1e-3)
@@ -54,13 +55,13 @@ def test_a_lobe_with_a_gap_in_it_has_no_extreme():
 
 def test_many_crossings_of_noise_are_one_passage():
     noise = 0.15 * np.random.default_rng(3).standard_normal(len(T))
-    found = _points(T, np.cos(T) + noise, PERIOD)
+    found = extremes_of(T, np.cos(T) + noise, PERIOD)
     assert np.diff(found.t) == pytest.approx(np.full(len(found.t) - 1, np.pi), abs=0.5)
     assert found.noise == pytest.approx(0.15, rel=0.2)
 
 
 def test_a_record_without_a_lobe_has_no_extremes():
-    found = _points(T, 1.0 + 0.1 * np.sin(T), PERIOD)
+    found = extremes_of(T, 1.0 + 0.1 * np.sin(T), PERIOD)
     assert len(found.t) == len(found.x) == len(found.passage_t) == 0 and found.noise == 0.0
 
 
@@ -68,7 +69,7 @@ def points(t, passages=()):
     t = np.array(t, dtype=float)
     n, p = len(t), np.array(passages, dtype=float)
     count = np.arange(1.0, n + 1)
-    return _Points(t, (-0.9) ** count, count * 1e-3, count * 1e-2, p, np.arange(1.0, len(p) + 1) * 1e-4, 0.5)
+    return Extremes(t, (-0.9) ** count, count * 1e-3, count * 1e-2, p, np.arange(1.0, len(p) + 1) * 1e-4, 0.5)
 
 
 def test_numbers_go_by_the_clock_and_passages_stand_between_their_extremes():

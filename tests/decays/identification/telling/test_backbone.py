@@ -40,6 +40,21 @@ def test_the_intervals_cover(period):
     assert np.mean(hits) > 0.9 and np.median(widths) < 2e-3
 
 
+def test_the_period_of_a_pendulum_from_far_up_is_held_as_that_of_an_angle():
+    """Failed before: powers of A do not follow it; from 140 degrees they held a third."""
+    period, hits = lambda a: 4 * ellipk(np.sin(1.22 * a) ** 2), {0.0: [], 2.44: []}
+    n = np.arange(50)
+    size = 0.97**n
+    # T(A) is that of the half-swing whose amplitudes have the geometric mean A.
+    true = np.concatenate([[0.0], np.cumsum(period(np.sqrt(size[1:] * size[:-1])) / 2)])
+    for seed in range(30):
+        t = true + 0.003 * np.random.default_rng(seed).standard_normal(50)
+        for angle, held in hits.items():
+            rows = backbone(TurningTimes(n, size, t, angle=angle))
+            held += [row["low"] < period(row["amplitude"]) < row["high"] for row in rows]
+    assert np.mean(hits[2.44]) > 0.9 and np.mean(hits[0.0]) < 0.5
+
+
 def test_a_pendulum_shows_it_and_a_linear_spring_does_not():
     n, size, t = decay(lambda a: 4 * ellipk(np.sin(0.6 * a) ** 2), 1)
     seen = Observations.of(n, np.where(n % 2, -size, size), t)
