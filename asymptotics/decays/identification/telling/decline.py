@@ -3,7 +3,8 @@
 The fall L of ln A from A_n to A_(n+1) is told by 2 sinh(L/2), the loss of A over the geometric mean of both: of dry
 friction, whose loss of A is the same in each half-swing, that is a power of the mean exactly, where L is one to first
 order only.  Which powers, whole ones or one that is fitted too, nobody knows: each choice has the weight of its AICc,
-and the interval is that of their average (``averaged``).  The errors of amplitudes are alike and independent (turning
+and the interval is that of their average (``averaged``).  Of an angle beyond 1 rad what the same losses take beside a
+pendulum are further choices.  The errors of amplitudes are alike and independent (turning
 points), proportional to numbers that are known, or have a covariance that is known (a smooth line): then sums of
 squares count in units of it, and are no less than what it says.
 
