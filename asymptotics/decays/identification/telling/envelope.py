@@ -43,8 +43,8 @@ from asymptotics.decays.records.units import SECONDS, UNITS
 from asymptotics.numbers.quantities import ANGLES
 
 _INVERTED = {"low": "high", "estimate": "estimate", "high": "low"}
-_GRID = 101
-"""Places between an amplitude and half of it."""
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
+"""Of Gauss's rule between an amplitude and half of it, for a sum of a few powers: far below three digits."""
 _FEWEST, _ENDED, _REST = 4, 1e-3, 1.5
 """Turning points that leave one more than a loss and the rest position have numbers; the share of the first amplitude
 at which a decay of few swings ends; and how many times longer than the others the half-swing is in which it comes to
@@ -333,13 +333,14 @@ def _period(times: TurningTimes) -> Ends:
 
 def _half_life(decline: Callable[[float], Ends], size: Array, lasts: Callable[[float], float]) -> Ends:
     """The time in which ln A falls by ln 2; below the last amplitude as there."""
-    grid = np.linspace(log(size[0] / 2), log(size[0]), _GRID)
-    places = [max(float(np.exp(s)), float(size.min())) for s in grid]
-    found, half = [decline(a) for a in places], np.array([lasts(a) for a in places])
+    top, low = log(size[0]), log(max(float(size.min()), float(size[0]) / 2))
+    logs = np.append((top + low + (top - low) * _NODES) / 2, low)
+    weight = np.append((top - low) / 2 * _WEIGHTS, low - log(size[0] / 2))
+    found, half = [decline(float(a)) for a in np.exp(logs)], np.array([lasts(float(a)) for a in np.exp(logs)])
     ends = {}
     for name, by in _INVERTED.items():
         fall = np.array([each[by] for each in found])
-        ends[name] = float(np.trapezoid(half / fall, grid)) if (fall > 0).all() else _endless(float(fall.min()))
+        ends[name] = float(weight @ (half / fall)) if (fall > 0).all() else _endless(float(fall.min()))
     return ends
 
 
