@@ -52,8 +52,8 @@ def _fit_motion(candidate: Candidate, seen: Observations, noise: Noise | None, s
         return Fitted(candidate, None, reason=f"{many(len(model.data), 'sample')} for {model.size} unknowns")
     try:
         if start is None:
-            begun = [_from_turning_points(candidate, seen), from_the_tail(candidate, seen)]
-            start = min((s for s in begun if s is not None), key=lambda s: _misfit(model, s))
+            start, late = _from_turning_points(candidate, seen), from_the_tail(candidate, seen)
+            start = start if late is None else min((start, late), key=lambda each: _misfit(model, each))
         found = _fit_from(model, model.start(start), noise)
         return Fitted(candidate, found)
     except (TooStrongError, np.linalg.LinAlgError) as error:

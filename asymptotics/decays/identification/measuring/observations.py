@@ -182,7 +182,7 @@ class Observations(Alike):
         return replace(self, **cut, **crossings, samples=None)
 
     def since(self, place: int) -> "Observations":
-        """The turning points from this place on, numbered from 0, and the passages behind them; no samples."""
+        """The turning points from the one at ``place`` on, numbered from 0, and the passages behind; no samples."""
         kept: dict[str, Any] = {name: _kept(getattr(self, name), slice(place, None)) for name in _OF_POINTS}
         later = self.passage_n >= self.n[place]
         crossings: dict[str, Any] = {name: _kept(getattr(self, name), later) for name in _OF_PASSAGES}
