@@ -41,8 +41,8 @@ def fit_laws(
     for head in heads:
         if _is_far(found[head], found.values()):
             tick(f"laws inside {head}")
-            nothing: dict[Candidate, Fitted] = {}
-            found |= work.within(partial(_with_witnesses, found[head], candidates, seen, noise), nothing)
+            unsure = {head: Fitted(head, None, UNTRIED)}  # without witnesses it speaks for nobody
+            found |= work.within(partial(_with_witnesses, found[head], candidates, seen, noise), unsure)
     for candidate in sorted(candidates, key=lambda c: len(c.elements) + c.free):
         law = found[candidate]
         if law.reason != UNTRIED:

@@ -27,12 +27,11 @@ from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc, memory_factor
 from asymptotics.decays.identification.measuring.observations import Indices
 from asymptotics.decays.identification.telling.averaged import NORMAL, Told, averaged, united
+from asymptotics.decays.identification.telling.decline import FAR, TOP
 
 Row = dict[str, float]
 _POWERS, _LEAST = ((0,), (0, 1), (0, 2), (0, 4), (0, 2, 4), (0, 1, 2)), 8
 """Of A, and turning times below which there is no error."""
-_FAR, _TOP = 1.0, 3.1
-"""Angles in rad from which on the period may be that of a pendulum, and up to which."""
 
 
 @dataclass(frozen=True)
@@ -117,7 +116,7 @@ def period_at(times: TurningTimes) -> Callable[[float], Row] | None:
     if len(n) < _LEAST:
         return None
     middle = np.sqrt(size[1:] * size[:-1]) / size[0]
-    kinds = (0.0, times.angle) if _FAR < times.angle < _TOP else (0.0,)
+    kinds = (0.0, times.angle) if FAR < times.angle < TOP else (0.0,)
     found = []
     for angle in kinds:
         each = {k: np.diff(n) * _period(middle, k, angle) for k in (0, 1, 2, 4)}
@@ -138,7 +137,7 @@ def period_at(times: TurningTimes) -> Callable[[float], Row] | None:
 def _period(amplitude: Array, power: int, angle: float) -> Array:
     """A power of A in units of the first; of an ``angle`` there, times the period of a pendulum over that of a small
     swing."""
-    ratio = 2 / np.pi * ellipk(np.sin(np.minimum(amplitude * angle, _TOP) / 2) ** 2)
+    ratio = 2 / np.pi * ellipk(np.sin(np.minimum(amplitude * angle, TOP) / 2) ** 2)
     return np.asarray(amplitude**power * ratio)
 
 

@@ -36,9 +36,9 @@ _STEP = 1e-4
 """Of a power, for a derivative by it."""
 _ROUGHLY, _FAR_OFF = (-1, 0, 1), (-20.0, 5.0)
 """The powers of a first fit; logarithms beyond which its curve is none."""
-_FAR, _TOP = 1.0, 3.1
+FAR, TOP = 1.0, 3.1
 """Angles from which on the fall may be that of a pendulum, and up to which its amplitudes are told.  Below the first
-the powers follow it within a thousandth."""
+three powers follow the fall by a loss in v^2 and less within 0.07 %, that in v^3 within 0.3 %."""
 _PLACES = np.pi / 4 * (1 + np.tanh(np.sinh(np.linspace(-3, 3, 61))))
 _COSINES = np.cos(_PLACES)
 _WEIGHTS = np.cosh(np.linspace(-3, 3, 61)) / np.cosh(np.sinh(np.linspace(-3, 3, 61))) ** 2
@@ -117,7 +117,7 @@ def decline_of(
     found = [tried.fall(c) for c in _choices(_POWERS, 1 if few else _TERMS)]
     if not few:
         found += [tried.free(beside) for beside in _BESIDE]
-        if _FAR < angle < _TOP:
+        if FAR < angle < TOP:
             found += [tried.fall(c, angle) for c in _choices(_POWERS[:-1], _TERMS)]
             found += [tried.free(beside, angle) for beside in _BESIDE]
     falls = sorted((f for f in found if np.isfinite(f.criterion)), key=lambda fall: fall.criterion)
@@ -224,7 +224,7 @@ def _power(amplitude: Array, power: float, angle: float) -> Array:
     """
     if not angle:
         return np.asarray(amplitude**power)
-    half = np.minimum(amplitude * angle, _TOP) / 2
+    half = np.minimum(amplitude * angle, TOP) / 2
     k = np.sin(half)
     each = _COSINES ** (power + 2) / np.sqrt(1 - (k[..., None] ** 2) * (1 - _COSINES**2))
     ratio = (each @ _WEIGHTS) / (_COSINES ** (power + 2) @ _WEIGHTS)

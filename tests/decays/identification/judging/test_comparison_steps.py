@@ -136,6 +136,17 @@ def test_a_head_that_is_worse_than_a_witness_begins_there_and_speaks_for_nobody_
     assert not any(law.far for law in found) and {name for name, _ in asked} == {*texts}
 
 
+def test_a_far_head_without_witnesses_speaks_for_nobody(calls, monkeypatch):
+    """Where the work ends before they are fitted, what is inside it is untried, and not refuted."""
+    texts = ["0", "1", "2", "0+1", "0+2", "1+2", "0+1+2"]
+    calls.likelihood = {"0+1+2": -100.0}
+    work = Work(limit=1.0)
+    monkeypatch.setattr(comparison, "_is_far", lambda law, laws: setattr(work, "done", 2.0) or law.fit is not None)
+    found = fit_laws([read(t) for t in texts], "seen", None, work)
+    assert [name for name, *_ in calls.asked] == ["0+1+2"]
+    assert {law.reason for law in found} == {UNTRIED} and not any(law.far for law in found)
+
+
 def test_what_the_time_does_not_suffice_for_is_untried(calls):
     found = fit_laws([read("1"), read("2")], "seen", None, Work(deadline=0.0))  # over long ago
     assert calls.asked == [] and [law.reason for law in found] == [UNTRIED, UNTRIED]

@@ -41,7 +41,7 @@ def test_the_intervals_cover(period):
 
 
 def test_the_period_of_a_pendulum_from_far_up_is_held_as_that_of_an_angle():
-    """Failed before: powers of A do not follow it; from 140 degrees they held a third."""
+    """Failed before: powers of A do not follow it; from 140 degrees no interval held."""
     period, hits = lambda a: 4 * ellipk(np.sin(1.22 * a) ** 2), {0.0: [], 2.44: []}
     n = np.arange(50)
     size = 0.97**n
@@ -52,7 +52,7 @@ def test_the_period_of_a_pendulum_from_far_up_is_held_as_that_of_an_angle():
         for angle, held in hits.items():
             rows = backbone(TurningTimes(n, size, t, angle=angle))
             held += [row["low"] < period(row["amplitude"]) < row["high"] for row in rows]
-    assert np.mean(hits[2.44]) > 0.9 and np.mean(hits[0.0]) < 0.5
+    assert np.mean(hits[2.44]) > 0.9 and np.mean(hits[0.0]) < 0.1
 
 
 def test_a_pendulum_shows_it_and_a_linear_spring_does_not():
