@@ -9,6 +9,7 @@ A refutation is a ball that excludes zero at an exact rational point of the doma
 difference to 0.  The rational points are fixed, so that a verdict never depends on chance.
 """
 
+from collections.abc import Callable
 from fractions import Fraction
 from itertools import cycle
 from typing import Any
@@ -25,12 +26,15 @@ from paper_checks.forms import DECIMAL, tex
 from paper_checks.verdict import Evidence, Outcome
 
 Place = dict[sympy.Symbol, sympy.Rational]
+Reduction = Callable[[sympy.Expr], sympy.Expr]
 POINTS = (Fraction(2, 7), Fraction(3, 5), Fraction(5, 3), Fraction(7, 11), Fraction(13, 9))
 
 
-def vanishes(difference: sympy.Expr, points: tuple[Fraction, ...] = POINTS) -> Outcome:
-    """Whether an expression in (positive) free symbols is identically zero."""
-    return _same(difference, sympy.S.Zero, difference, points)
+def vanishes(
+    difference: sympy.Expr, points: tuple[Fraction, ...] = POINTS, reduced: Reduction = sympy.simplify
+) -> Outcome:
+    """Whether an expression in (positive) free symbols is identically zero, as it stands or reduced."""
+    return _same(difference, sympy.S.Zero, difference, points, reduced)
 
 
 def same(left: sympy.Expr, right: sympy.Expr) -> Outcome:
@@ -39,14 +43,20 @@ def same(left: sympy.Expr, right: sympy.Expr) -> Outcome:
     return _same(left, right, left - right, POINTS)
 
 
-def _same(left: sympy.Expr, right: sympy.Expr, difference: sympy.Expr, points: tuple[Fraction, ...]) -> Outcome:
+def _same(
+    left: sympy.Expr,
+    right: sympy.Expr,
+    difference: sympy.Expr,
+    points: tuple[Fraction, ...],
+    reduced: Reduction = sympy.simplify,
+) -> Outcome:
     letters = _in_letters(difference)
     for shift in range(len(points)):
         place = _excludes_zero(letters, points[shift:] + points[:shift])
         if place is not None:
             differ(_apart(left, right, place))
             return Outcome.REFUTED
-    if sympy.expand(difference) == 0 or sympy.simplify(difference) == 0:
+    if sympy.expand(difference) == 0 or reduced(difference) == 0:
         mark(Evidence.PROVED)
         return Outcome.CONFIRMED
     return Outcome.UNDECIDED

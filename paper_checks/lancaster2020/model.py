@@ -92,7 +92,7 @@ def simplified(expression: sympy.Expr) -> sympy.Expr:
 
 def zero(expression: sympy.Expr) -> Outcome:
     """Whether an expression in positive symbols vanishes: as it stands, or else after ``simplified``."""
-    outcome = vanishes(expression)
+    outcome = vanishes(expression, reduced=simplified if expression.has(sympy.gamma) else sympy.simplify)
     return vanishes(simplified(expression)) if outcome == Outcome.UNDECIDED else outcome
 
 
