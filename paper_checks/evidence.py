@@ -22,7 +22,7 @@ An exact computation on one example of a general statement says so, and so does 
 ('exact, one example', <Evidence.MEASURED: 'measured'>, 'read off the text')
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -81,11 +81,11 @@ def mark(evidence: Evidence) -> None:
         marks.evidence.append(evidence)
 
 
-def differ(found: Difference) -> None:
-    """Note the sides of a comparison that failed."""
+def differ(found: Callable[[], Difference]) -> None:
+    """Note the sides of a comparison that failed; where nobody reads them, they are not written down."""
     marks = _marks.get()
     if marks is not None:
-        marks.differences.append(found)
+        marks.differences.append(found())
 
 
 def sampled(points: Iterable[Point]) -> tuple[Point, ...]:

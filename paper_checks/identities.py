@@ -11,6 +11,7 @@ difference to 0.  The rational points are fixed, so that a verdict never depends
 
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from itertools import cycle
 from typing import Any
 
@@ -54,7 +55,7 @@ def _same(
     for shift in range(len(points)):
         place = _excludes_zero(letters, points[shift:] + points[:shift])
         if place is not None:
-            differ(_apart(left, right, place))
+            differ(partial(_apart, left, right, place))
             return Outcome.REFUTED
     if sympy.expand(difference) == 0 or reduced(difference) == 0:
         mark(Evidence.PROVED)
@@ -106,7 +107,7 @@ def below(a: arb, b: arb) -> Outcome:
     if a < b:
         return Outcome.CONFIRMED
     if a >= b:
-        differ(_numbers(a, "<", b))
+        differ(lambda: _numbers(a, "<", b))
     return Outcome.REFUTED if a >= b else Outcome.UNDECIDED
 
 
@@ -123,7 +124,7 @@ def rounds_to(printed: str, ball: arb) -> Outcome:
     half = arb(1) / (2 * arb(10) ** len(found[1] or ""))
     outcome = below(abs(ball - arb(value.numerator) / value.denominator), half)
     if outcome == Outcome.REFUTED:
-        differ(Difference(printed, "=", _shown(ball)))
+        differ(lambda: Difference(printed, "=", _shown(ball)))
     return outcome
 
 
@@ -132,13 +133,13 @@ def balls_agree(a: arb, b: arb, digits: int) -> Outcome:
     mark(Evidence.CERTIFIED)
     outcome = verdict.balls_agree(a, b, digits)
     if outcome == Outcome.REFUTED:
-        differ(_numbers(a, "=", b))
+        differ(lambda: _numbers(a, "=", b))
     return outcome
 
 
 def not_of_order(order: float, wanted: int) -> Outcome:
     """REFUTED: an error that falls like another power than it should."""
-    differ(Difference(r"\text{order of the error}", "=", str(wanted), (f"{order:.2f}", "")))
+    differ(lambda: Difference(r"\text{order of the error}", "=", str(wanted), (f"{order:.2f}", "")))
     return Outcome.REFUTED
 
 
@@ -173,7 +174,7 @@ def limit_is(expression: sympy.Expr, variable: sympy.Symbol, end: sympy.Expr, va
     if not {wanted, found}.isdisjoint((sympy.oo, -sympy.oo, sympy.zoo)):
         if found != wanted:
             standing = sympy.Limit(expression, variable, end, side)
-            differ(Difference(tex(standing), "=", tex(wanted), (tex(found), "")))
+            differ(lambda: Difference(tex(standing), "=", tex(wanted), (tex(found), "")))
         return decided(found == wanted)
     return same(found, wanted)
 

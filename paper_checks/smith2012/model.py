@@ -60,7 +60,7 @@ def same_polynomial(left: sympy.Expr, right: sympy.Expr) -> Outcome:
     mark(Evidence.PROVED)
     equal = sympy.expand(left - right) == 0
     if not equal:
-        differ(Difference(tex(left), "=", tex(right)))
+        differ(lambda: Difference(tex(left), "=", tex(right)))
     return decided(equal)
 
 
