@@ -10,12 +10,12 @@
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from numbers import Real
 from typing import Any
 
 import numpy as np
-from threadpoolctl import threadpool_limits
+from threadpoolctl import ThreadpoolController
 
 from asymptotics.decays.identification.fitting.correlation import block_length
 from asymptotics.decays.identification.fitting.model import Noise
@@ -61,10 +61,14 @@ MAX_RUNS = 50
 """Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
 
 
+_libraries = cache(ThreadpoolController)
+"""Those of the process, which it takes a millisecond to find: NumPy's and SciPy's are there."""
+
+
 @contextmanager
 def _one_thread() -> Iterator[None]:
     """Matrices of a thousand rows: a second thread waits longer than it computes, and would add in another order."""
-    with threadpool_limits(1, user_api="blas"):
+    with _libraries().limit(limits=1, user_api="blas"):
         yield
 
 

@@ -11,6 +11,7 @@ from math import nan
 
 MISSING = ("", "-", "--", "nan", "NaN", "NAN", "na", "NA", "n/a", "N/A", "#N/A", "null", "NULL", "none", "None", "?")
 """Words for a value that is not there."""
+_MISSING = frozenset(MISSING)
 MARKS = (-999.0, -9999.0, -99999.0, -999.25)
 """Numbers that stand for a missing value, where all others are well below them."""
 
@@ -35,7 +36,7 @@ def number(cell: str, decimal: str, *, thousands: bool = False) -> float | None:
     """
     # The minus sign of typography is what spreadsheets export in some languages.
     text = cell.strip().strip('"').strip().replace("\u2212", "-")
-    if text in MISSING:
+    if text in _MISSING:
         return nan
     if _PLAIN[decimal].fullmatch(text):
         return float(text.replace(",", ".").replace("D", "e").replace("d", "e"))

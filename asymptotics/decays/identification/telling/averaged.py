@@ -57,10 +57,15 @@ def averaged(each: list[Told]) -> Ends:
         return dict.fromkeys(_TAILS, float(value[0]))
     error = np.maximum(error, 1e-12 * np.abs(value).max())
     known = np.isinf(freedom)
+    finite = np.where(known, 1.0, freedom)
 
     def below(x: float, tail: float) -> float:
         z = (x - value) / error
-        return float(w @ np.where(known, ndtr(z), stdtr(np.where(known, 1.0, freedom), z))) - tail
+        if known.any():
+            each = ndtr(z) if known.all() else np.where(known, ndtr(z), stdtr(finite, z))
+        else:
+            each = stdtr(freedom, z)
+        return float(w @ each) - tail
 
     low, high = float((value - _FAR * error).min()), float((value + _FAR * error).max())
     tolerance = 1e-6 * float(error.min())
