@@ -10,7 +10,7 @@
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from functools import cache, partial
+from functools import partial
 from numbers import Real
 from typing import Any
 
@@ -50,6 +50,7 @@ from asymptotics.decays.identification.textbook import textbook_estimates
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import GRAVITY, UNITS
 from asymptotics.errors import InputError, shown
+from asymptotics.numbers.context import cache
 from asymptotics.numbers.quantities import ANGLES
 from asymptotics.present.counts import many
 from asymptotics.running.budget import tick
@@ -61,8 +62,10 @@ MAX_RUNS = 50
 """Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
 
 
-_libraries = cache(ThreadpoolController)
-"""Those of the process, which it takes a millisecond to find: NumPy's and SciPy's are there."""
+@cache
+def _libraries() -> ThreadpoolController:
+    """Those of the process, NumPy's and SciPy's, which it takes a millisecond to find."""
+    return ThreadpoolController()
 
 
 @contextmanager
