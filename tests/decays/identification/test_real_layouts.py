@@ -51,7 +51,7 @@ def asked(source, laws, **options):
 
 
 def test_peaks_of_one_side_with_columns_of_errors():
-    t = np.linspace(0, 250, 12_500)
+    t = np.linspace(0, 150, 7_500)
     x, sol = moved(t, 0.57, 0.0026, 0.0126)
     turns = np.flatnonzero((x[1:-1] > x[:-2]) & (x[1:-1] >= x[2:])) + 1
     # The parabola through three samples has the peak to 1e-6.
