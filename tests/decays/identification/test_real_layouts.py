@@ -63,7 +63,7 @@ def test_peaks_of_one_side_with_columns_of_errors():
         for a, b in zip([0.0, *times] + noise(len(peaks) + 1, 2e-3, 3), [0.57, *peaks] + noise(len(peaks) + 1, 8e-4))
     ]
     text = "\n".join(["t amplitude xerr yerr", *rows])
-    answer = asked(io.StringIO(text), ["1+2", "1+s3", "1+2+s3"])
+    answer = asked(io.StringIO(text), ["1+s3", "1+2+s3"])
     assert answer.runs[0].n[:3].tolist() == [0, 2, 4] and not answer.runs[0].unit
     # Without a unit it may be no angle; the first of the springs of a sine explains the times.
     assert answer.law("1+2+s3").law.verdict == "consistent" and answer.law("1+s3").law.verdict == "refuted"
@@ -79,7 +79,7 @@ def test_two_pendulums_in_one_file():
     still = np.round(450 + noise(len(t), 1.0, 2))
     rows = ["{:.3f}\t{:.0f}\t{:.3f}\t{:.0f}".format(*row) for row in zip(t + 0.02, x, t + 0.045, still)]
     head = "#Creator: recorder\n#Time A\tPos A\tTime B\tPos B\n#[s]\t[au]\t[s]\t[au]\n"
-    answer = asked(io.StringIO(head + "\n".join(rows)), ["0", "1", "2", "0+1"])
+    answer = asked(io.StringIO(head + "\n".join(rows)), ["1", "0+1"])
     assert any("x: 'Pos A [au]'" in note for note in answer.notes)
     law = answer.law("0+1").law
     assert law.verdict == "consistent" and law.epsilon[0].contains(0.76) and law.epsilon[1].contains(0.03)
@@ -157,7 +157,7 @@ def test_a_place_that_is_called_an_acceleration():
     x = np.where(size > f, (size - f) * np.cos(W * t) + f * (-1) ** half, np.nan)
     x = x[np.isfinite(x)] + noise(int(np.isfinite(x).sum()), 1e-4)
     data = {"t": t[: len(x)], "Acc": x}
-    found = asked(data, ["0", "1", "0+1"])
+    found = asked(data, ["0", "1"])
     # Failed before: none fits, and --kind record was asked for.
     assert found.law("0").law.epsilon[0].contains(f) and found.law("0").law.verdict == "consistent"
     assert "read as a place, which a law fits" in found.notes[0] and "--kind acceleration" in found.notes[0]

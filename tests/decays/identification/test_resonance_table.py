@@ -31,8 +31,8 @@ def every(request):
 
 @pytest.fixture(scope="module", **BOTH)
 def measured(request):
-    """Under every second force."""
-    A, F = resonance(TRUTH, request.param, forces=FORCES[1::2])
+    """Under every third force."""
+    A, F = resonance(TRUTH, request.param, forces=FORCES[1::3])
     return A, F, np.full(len(A), 1.0 if request.param == 1 else 0.98)
 
 

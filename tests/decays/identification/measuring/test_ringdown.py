@@ -12,7 +12,7 @@ from asymptotics.decays.identification.telling.envelope import envelope
 F, TAU = 2500.0, 14.0
 T = 0.15 * np.arange(1, 400)
 A = 20 * np.exp(-T / TAU)
-LAWS = {"laws": ["0", "1", "2", "1+2"], "bootstrap": False}
+LAWS = {"laws": ["0", "1", "2"], "bootstrap": False}
 
 
 def written(values, head="% Frequency [Hz]: 2500\n% time [s], power [dBm]\n"):

@@ -46,7 +46,7 @@ LONG = {
 1.6e-4 and 5.1e-3, and held no more."""
 
 
-def periods(case, count=12):
+def periods(case, count=8):
     made, swings, per_period, noise, true = CASES[case]
     tau = np.arange(LATE, np.pi * swings, PERIOD / per_period)
     for seed in range(count):
