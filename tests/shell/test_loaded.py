@@ -33,6 +33,8 @@ def test_digits_need_none_of_them(tmp_path):
         "expand --alpha 2",
         "expand --alpha 2 --order 6 --gauge averaging --exact --latex",
         "expand --alpha 3/2 --json",
+        "expand --alpha 3/2 --order 4",
+        "papers smith2012:43",
         f"expand --law 0:1/10 --law 3/2:1/5 --order 3 --csv {tmp_path}/x.csv",
         "expand --alpha 1/2 --spring 3 --gauge no-first-harmonic --order 3",
         "expand --alpha 3/2 --damping 1/10 --mass 2 --stiffness 3",

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from asymptotics.shell.main import main
+from paper_checks.__main__ import main as check
 
 ROOT = Path(__file__).parents[2]
 PROGRAMS = {
@@ -184,10 +185,9 @@ def test_messages_are_short_and_free_of_control_characters(capsys):
         assert len(err) < 900
 
 
-def test_a_paper_and_an_id_that_contradict_each_other():
-    done = shell(f"'{sys.executable}' -m paper_checks lelas2024 --id smith2012:62b")
-    assert done.returncode == 2
-    assert done.stderr == (
+def test_a_paper_and_an_id_that_contradict_each_other(capsys):
+    assert check(["lelas2024", "--id", "smith2012:62b"]) == 2
+    assert capsys.readouterr().err == (
         "paper_checks: argument --id: smith2012:62b is not a statement of lelas2024"
         " (accepted: an id that begins with lelas2024:)\n"
     )

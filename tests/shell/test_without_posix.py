@@ -35,7 +35,7 @@ for line in sys.stdin.read().splitlines():
 
 @pytest.mark.parametrize(
     "names",
-    [("table", "sweep", "identify"), pytest.param(tuple(QUESTIONS), marks=pytest.mark.slow)],
+    [("table", "sweep"), pytest.param(tuple(QUESTIONS), marks=pytest.mark.slow)],
     ids=["few", "all"],
 )
 def test_every_command_runs_once_without_what_only_posix_has(tmp_path, names):
