@@ -15,7 +15,7 @@ from paper_checks.__main__ import main as check
 
 ROOT = Path(__file__).parents[2]
 PROGRAMS = {
-    "asymptotics": ["-m", "asymptotics.shell.entry", "smith", "f", "--n", "800"],
+    "asymptotics": ["-m", "asymptotics.shell.entry", "smith", "f", "--n", "400"],
     "paper_checks": ["-m", "paper_checks", "lelas2024", "--id", "lelas2024:4"],
     "derivations": ["-m", "derivations"],
 }
