@@ -40,13 +40,13 @@ def derivation_records() -> list[dict[str, Any]]:
         if s.derivation is not None:
             cited.setdefault(s.derivation, []).append(s.id)
     found = [_derivation_record(name, cited.get(name, [])) for name in derivation_names()]
-    return sorted(found, key=_place)
+    order = list(load())
+    return sorted(found, key=lambda record: _place(record, order))
 
 
-def _place(record: dict[str, Any]) -> tuple[int, int, str]:
+def _place(record: dict[str, Any], order: list[str]) -> tuple[int, int, str]:
     """The place of the first statement of its paper that cites it; what belongs to no paper comes last, by name."""
     own = [i for i in record["statements"] if i.startswith(record["paper"])]
-    order = list(load())
     return (0, order.index(own[0]), record["name"]) if record["paper"] else (1, 0, record["name"])
 
 
@@ -141,4 +141,4 @@ def _plain(form: Any) -> str:
 def source(s: Statement) -> str:
     """File and line of the check."""
     check = inspect.unwrap(s.check)
-    return f"{Path(inspect.getsourcefile(check)).relative_to(ROOT)}:{inspect.getsourcelines(check)[1]}"
+    return f"{Path(check.__code__.co_filename).relative_to(ROOT)}:{check.__code__.co_firstlineno}"
