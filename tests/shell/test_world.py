@@ -52,7 +52,9 @@ def forbidden(folder: Path, kind: str) -> Path:
 def test_what_may_not_be_written_is_refused_before_the_work(tmp_path, kind):
     target = forbidden(tmp_path / "verschlossen ü", kind)
     before = target.read_text() if target.exists() else None
-    done = as_others(*PROGRAM, *"turning-points --alpha 2 --epsilon 1/10 --count 3 --csv".split(), str(target))
+    done = as_others(
+        *PROGRAM, *["turning-points", "--alpha", "2", "--epsilon", "1/10", "--count", "3", "--csv"], str(target)
+    )
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
     assert "Permission denied" in done.stderr or "write-protected" in done.stderr
     assert [p.read_text() for p in target.parent.iterdir()] == ([] if before is None else [before])
