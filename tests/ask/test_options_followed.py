@@ -65,10 +65,10 @@ def test_the_error_of_a_gauge_at_the_start_is_no_event():
 
 
 def test_a_bound_stands_in_the_export_of_a_sweep(capsys, tmp_path):
-    line = "sweep motion --alpha 2 --epsilon 1/10 --time 1,2 --bound --workers 1"
+    line = "sweep motion --alpha 2 --epsilon 1/10 --order 2 --time 1,2 --bound --workers 1"
     shown(capsys, f"{line} --store {tmp_path / 'runs'} --export {tmp_path / 'x.csv'}")
     rows = list(csv.DictReader((tmp_path / "x.csv").read_text().splitlines()))
-    alone = json.loads(shown(capsys, "motion --alpha 2 --epsilon 1/10 --time 2 --bound --json"))
+    alone = json.loads(shown(capsys, "motion --alpha 2 --epsilon 1/10 --order 2 --time 2 --bound --json"))
     assert rows[1]["result.bound"] == alone["bound"] != "" and rows[1]["bound"] == ""
 
 
