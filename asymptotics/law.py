@@ -32,7 +32,7 @@ from flint import arb
 
 from asymptotics.errors import InputError, shown
 from asymptotics.expansions.moments.certified import moment
-from asymptotics.numbers.context import inside
+from asymptotics.numbers.context import cached_property, inside
 from asymptotics.numbers.exact import ExactReal
 from asymptotics.numbers.latex import latex
 from asymptotics.numbers.policy import Number, exact_number, float_notes
@@ -259,7 +259,7 @@ class Oscillator(Shown):
         """The numbers that set the units of length and time."""
         return Units(self.mass, self.stiffness, self.x0, self.v0)
 
-    @property
+    @cached_property
     def dimensionless(self) -> Law:
         """The law in units m = k = x0 = 1: epsilon = b omega_0^velocity length^weight/k, exact where it can be."""
         # No two terms have one key, with units or without: nothing is merged here, and the order stays.

@@ -45,7 +45,7 @@ from asymptotics.decays.identification.judging.grades import grade_of, in_words,
 from asymptotics.decays.identification.measuring.criteria import aicc
 from asymptotics.equivalent.rows import cycle_of
 from asymptotics.law import Oscillator
-from asymptotics.numbers.context import ctx
+from asymptotics.numbers.context import ctx, lru_cache
 from asymptotics.numbers.policy import exact_number
 from asymptotics.present.shown import Page, Shown
 from asymptotics.running.budget import tick
@@ -146,6 +146,12 @@ def _unit(problem: Problem, alpha: str, a: float) -> float:
         x0=place,
         spring=problem.spring,
     )
+    return _zeta(local)
+
+
+# Every law of a table asks for the same exponents at the same amplitudes, for its scatter and for its fit.
+@lru_cache(maxsize=1024)
+def _zeta(local: Oscillator) -> float:
     with ctx.workprec(_LOW):
         return float(cycle_of(local).zeta)
 

@@ -30,6 +30,7 @@ from asymptotics.decays.identification.judging.single_fits import fit_law
 from asymptotics.decays.identification.measuring.observations import Observations
 
 Estimator = Callable[[Array], Array]
+Exact = tuple[Array, Array]
 
 
 def logarithmic_decrement(x: Array) -> Array:
@@ -95,11 +96,14 @@ def textbook_estimates(seen: Observations) -> dict[str, Any]:
     ):
         return {}
     found: dict[str, Any] = {}
+    exact: dict[str, Exact | None] = {}  # two of them are of one law, which is fitted once
     for name, (law, estimator) in ESTIMATORS.items():
         estimate = estimator(seen.x)
         if not np.isfinite(estimate).all():
             continue
-        error = systematic_error(read_candidate(law), estimator, seen)
+        if law not in exact:
+            exact[law] = exact_points(read_candidate(law), seen)
+        error = systematic_error(estimator, exact[law])
         found[name] = {
             "alphas": law.split("+"),
             "epsilon": [f"{e:.6g}" for e in estimate],
@@ -108,8 +112,13 @@ def textbook_estimates(seen: Observations) -> dict[str, Any]:
     return found
 
 
-def systematic_error(candidate: Candidate, estimator: Estimator, seen: Observations) -> Array | None:
+def systematic_error(estimator: Estimator, exact: Exact | None) -> Array | None:
     """What the estimator adds to the strengths when the data are exact; None if the law cannot be fitted."""
+    return None if exact is None else np.asarray(estimator(exact[0]) - exact[1])
+
+
+def exact_points(candidate: Candidate, seen: Observations) -> Exact | None:
+    """The turning points of the law that fits the data, without noise, and its strengths for x0 = 1 unit."""
     fitted = fit_law(candidate, seen).fit
     if fitted is None:
         return None
@@ -118,8 +127,8 @@ def systematic_error(candidate: Candidate, estimator: Estimator, seen: Observati
     except TooStrongError:
         return None
     # The offset is left out: the estimators are judged by their formula, not by a base line.
-    exact = seen.sign * seen.reference * np.exp(run.a[seen.n])
+    points = seen.sign * seen.reference * np.exp(run.a[seen.n])
     weights = np.array([e.weight for e in candidate.elements])
     # From strengths at the first amplitude to those of one unit of the data.
     true = fitted.theta[fitted.model.law] * seen.reference**-weights
-    return np.asarray(estimator(exact) - true)
+    return points, true

@@ -11,6 +11,7 @@ from math import nan
 
 MISSING = ("", "-", "--", "nan", "NaN", "NAN", "na", "NA", "n/a", "N/A", "#N/A", "null", "NULL", "none", "None", "?")
 """Words for a value that is not there."""
+_MISSING = frozenset(MISSING)
 MARKS = (-999.0, -9999.0, -99999.0, -999.25)
 """Numbers that stand for a missing value, where all others are well below them."""
 
@@ -33,18 +34,24 @@ def number(cell: str, decimal: str, *, thousands: bool = False) -> float | None:
     ``1,234`` with the decimal point is a number only where ``thousands`` are known to be grouped by commas;
     ``1,234.5`` always is.
     """
+    if _PLAIN[decimal].fullmatch(cell):  # as nearly all are
+        return _plain(cell)
     # The minus sign of typography is what spreadsheets export in some languages.
     text = cell.strip().strip('"').strip().replace("\u2212", "-")
-    if text in MISSING:
+    if text in _MISSING:
         return nan
     if _PLAIN[decimal].fullmatch(text):
-        return float(text.replace(",", ".").replace("D", "e").replace("d", "e"))
+        return _plain(text)
     found = _GROUPS[decimal].fullmatch(text)
     # A point or comma that may be decimal groups thousands only if the file shows it, or the other mark stands behind
     # it; a space or an apostrophe is no decimal mark.
     if found and (thousands or found["rest"] or found["mark"] not in ",."):
         return float(text.replace(found["mark"], "").replace(",", "."))
     return None
+
+
+def _plain(text: str) -> float:
+    return float(text.replace(",", ".").replace("D", "e").replace("d", "e"))
 
 
 def is_grouped(cell: str, decimal: str) -> bool:

@@ -54,11 +54,12 @@ def layout_of(lines: Sequence[str], name: str, *, decimal: str | None = None, sk
     """The layout that the first lines show; InputError if they hold no table, or two readings are possible."""
     # Excel announces the separator in a first line, sep=;.
     separator = next((s for s in (_announced(line) for line in lines[:3]) if s), None)
+    cut = {s: _rows(lines, s, skip) for s in ((separator,) if separator else _SEPARATORS)}
     tried = [
         found
         for mark in ((decimal,) if decimal else (".", ","))
-        for s in ((separator,) if separator else _SEPARATORS)
-        if (found := _tried(lines, s, mark, skip)) is not None
+        for s, rows in cut.items()
+        if (found := _tried(rows, s, mark)) is not None
     ]
     single = one_column(lines, decimal, skip)
     most = max((score for score, _ in tried), default=0)
@@ -84,13 +85,17 @@ def _announced(line: str) -> str | None:
     return found[1] if found else None
 
 
-def _tried(lines: Sequence[str], separator: str, decimal: str, skip: int) -> tuple[float, Layout] | None:
-    """(how many cells are numbers, less those that are not; the layout), or None."""
-    rows = {
+def _rows(lines: Sequence[str], separator: str, skip: int) -> dict[int, list[str]]:
+    """The cells of the lines in which the separator stands."""
+    return {
         i: split(line, separator)
         for i, line in enumerate(lines)
         if i >= skip and (separator in line or separator == WHITE) and not is_comment(line)
     }
+
+
+def _tried(rows: dict[int, list[str]], separator: str, decimal: str) -> tuple[float, Layout] | None:
+    """(how many cells are numbers, less those that are not; the layout), or None."""
     good: dict[int, float] = {i: q for i, cells in rows.items() if (q := _quality(cells, decimal)) is not None}
     if not good:
         return None
@@ -125,7 +130,7 @@ def _first(rows: dict[int, list[str]], chosen: Sequence[int], width: int, decima
 
 
 def _is_number(cell: str, decimal: str) -> bool:
-    return cell not in MISSING and (is_stamp(cell) or number(cell, decimal, thousands=True) is not None)
+    return cell not in MISSING and (number(cell, decimal, thousands=True) is not None or is_stamp(cell))
 
 
 def _quality(cells: Sequence[str], decimal: str) -> float | None:

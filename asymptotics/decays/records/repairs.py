@@ -15,6 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from asymptotics.numbers.context import lru_cache
+
 Array = NDArray[np.float64]
 Places = NDArray[np.intp]
 _FAR, _TALL, _MOST = 20.0, 0.3, 0.02
@@ -29,6 +31,10 @@ share of the largest it is held or over, and so it is where a line and a wave le
 amplitude.  A phase that jumps by more than ``_JUMP`` (radians) was touched too, between windows none of which swings
 less than the share ``_NODE`` of both.  Choices, tried on decays, growth, beats and noise, which must stay whole
 (``tests/decays/records/test_repairs.py``)."""
+
+
+_KEPT = 100_000
+"""Samples of a record whose windows are kept, up to which its bytes are no matter."""
 
 
 def spikes(x: Array) -> NDArray[np.bool_]:
@@ -74,6 +80,18 @@ class Swings:
 
 def swings_of(t: Array, x: Array) -> Swings | None:
     """The windows of a record; None where its samples are too few, uneven or gaping, or the record is too short."""
+    # Releases, beats and a steady start are sought in the same windows, one after the other.
+    if len(t) > _KEPT:
+        return _swings_of(t, x)
+    return _kept_swings(np.asarray(t, dtype=float).tobytes(), np.asarray(x, dtype=float).tobytes())
+
+
+@lru_cache(maxsize=2)
+def _kept_swings(t: bytes, x: bytes) -> Swings | None:
+    return _swings_of(np.frombuffer(t), np.frombuffer(x))
+
+
+def _swings_of(t: Array, x: Array) -> Swings | None:
     steps = np.diff(t)
     # Few samples or uneven ones: windows of a period would hold too few of them.
     if len(t) < 50 or float(np.quantile(steps, 0.9)) > 2 * float(np.median(steps)):

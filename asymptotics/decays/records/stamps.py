@@ -28,6 +28,8 @@ _DAY = 86_400.0
 
 
 def _match(cell: str) -> re.Match[str] | None:
+    if ":" not in cell:
+        return None
     found = _STAMP.fullmatch(cell.strip().strip('"'))
     # Without hours 12:30 may be a time of day as well: only a part of a second says that it is minutes and seconds.
     if found is None or (found["hours"] is None and (found["date"] or found["mark"] not in (".", ","))):

@@ -16,7 +16,7 @@ from asymptotics.decays.identification.synthetic import observed
 def test_the_scatter_of_estimates_is_the_fisher_bound():
     bound = standard_errors("1+2", [0.01, 0.02], swings=60, noise=1e-3)
     found = []
-    for seed in range(60):
+    for seed in range(40):
         fit = fit_law(read_candidate("1+2"), observed("1+2", [0.01, 0.02], 60, 1e-3, seed=seed)).fit
         found.append(fit.theta[fit.model.law])
     ratio = np.std(found, axis=0) / bound

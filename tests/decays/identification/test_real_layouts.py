@@ -51,10 +51,10 @@ def asked(source, laws, **options):
 
 
 def test_peaks_of_one_side_with_columns_of_errors():
-    t = np.linspace(0, 250, 60_000)
+    t = np.linspace(0, 150, 7_500)
     x, sol = moved(t, 0.57, 0.0026, 0.0126)
     turns = np.flatnonzero((x[1:-1] > x[:-2]) & (x[1:-1] >= x[2:])) + 1
-    # The parabola through three samples has the peak to 1e-9.
+    # The parabola through three samples has the peak to 1e-6.
     left, mid, right = x[turns - 1], x[turns], x[turns + 1]
     shift = (left - right) / (2 * (left - 2 * mid + right))
     peaks, times = mid - (left - right) * shift / 4, t[turns] + shift * (t[1] - t[0])
@@ -63,7 +63,7 @@ def test_peaks_of_one_side_with_columns_of_errors():
         for a, b in zip([0.0, *times] + noise(len(peaks) + 1, 2e-3, 3), [0.57, *peaks] + noise(len(peaks) + 1, 8e-4))
     ]
     text = "\n".join(["t amplitude xerr yerr", *rows])
-    answer = asked(io.StringIO(text), ["1+2", "1+s3", "1+2+s3"])
+    answer = asked(io.StringIO(text), ["1+s3", "1+2+s3"])
     assert answer.runs[0].n[:3].tolist() == [0, 2, 4] and not answer.runs[0].unit
     # Without a unit it may be no angle; the first of the springs of a sine explains the times.
     assert answer.law("1+2+s3").law.verdict == "consistent" and answer.law("1+s3").law.verdict == "refuted"
@@ -79,14 +79,14 @@ def test_two_pendulums_in_one_file():
     still = np.round(450 + noise(len(t), 1.0, 2))
     rows = ["{:.3f}\t{:.0f}\t{:.3f}\t{:.0f}".format(*row) for row in zip(t + 0.02, x, t + 0.045, still)]
     head = "#Creator: recorder\n#Time A\tPos A\tTime B\tPos B\n#[s]\t[au]\t[s]\t[au]\n"
-    answer = asked(io.StringIO(head + "\n".join(rows)), ["0", "1", "2", "0+1"])
+    answer = asked(io.StringIO(head + "\n".join(rows)), ["1", "0+1"])
     assert any("x: 'Pos A [au]'" in note for note in answer.notes)
     law = answer.law("0+1").law
     assert law.verdict == "consistent" and law.epsilon[0].contains(0.76) and law.epsilon[1].contains(0.03)
 
 
 def test_dashes_and_a_clock_that_stands_still():
-    t = np.arange(0, 14, 0.02)
+    t = np.arange(0, 14, 0.04)
     x = 31 * friction(t, 1.0, 0.006, 0.04) + noise(len(t), 0.02)
     rows = [f"15:50:{s:06.3f}, 812.040, {v:.2f}" for s, v in zip(t, x)]
     answer = asked(
@@ -98,7 +98,7 @@ def test_dashes_and_a_clock_that_stands_still():
 
 
 def test_a_struct_of_matlab(tmp_path):
-    t = np.arange(0, 40, 0.02)
+    t = np.arange(0, 40, 0.05)
     x, sol = moved(t, 0.5, 0.03, 0.0, pendulum=False)
     y = sol(W * t)
     a = -y[0] - 0.03 * y[1] + noise(len(t), 1e-3)
@@ -151,13 +151,13 @@ def test_a_body_that_is_caught_and_let_go_again_is_several_runs_of_one_law():
 
 def test_a_place_that_is_called_an_acceleration():
     """Dry friction, exactly: (A - f) cos about f of either sign; an acceleration would jump where the motion turns."""
-    t, f = np.arange(0, 10, 0.01), 0.02
+    t, f = np.arange(0, 10, 0.02), 0.02
     half = np.floor(t * W / np.pi)
     size = 0.55 - 2 * f * half
     x = np.where(size > f, (size - f) * np.cos(W * t) + f * (-1) ** half, np.nan)
     x = x[np.isfinite(x)] + noise(int(np.isfinite(x).sum()), 1e-4)
     data = {"t": t[: len(x)], "Acc": x}
-    found = asked(data, ["0", "1", "0+1"])
+    found = asked(data, ["0", "1"])
     # Failed before: none fits, and --kind record was asked for.
     assert found.law("0").law.epsilon[0].contains(f) and found.law("0").law.verdict == "consistent"
     assert "read as a place, which a law fits" in found.notes[0] and "--kind acceleration" in found.notes[0]

@@ -9,7 +9,7 @@ from asymptotics.decays.identification.forward.quadrature import TooStrongError
 from asymptotics.decays.identification.judging.single_fits import fit_law
 from asymptotics.decays.identification.measuring.observations import Observations
 from asymptotics.decays.identification.synthetic import exact, observed
-from asymptotics.decays.identification.textbook import systematic_error, textbook_estimates
+from asymptotics.decays.identification.textbook import exact_points, systematic_error, textbook_estimates
 
 N = np.arange(12)
 SIGN = (-1.0) ** N
@@ -74,7 +74,7 @@ def test_the_estimates_are_told_with_their_exponents_and_errors():
     }  # fmt: skip
     froude = textbook.froude(seen.x)
     assert found["Froude"]["epsilon"] == [f"{e:.6g}" for e in froude]
-    error = systematic_error(read("1+2"), textbook.froude, seen)
+    error = systematic_error(textbook.froude, exact_points(read("1+2"), seen))
     assert found["Froude"]["systematic_error"] == [f"{e:.3g}" for e in error]
 
 
@@ -84,7 +84,7 @@ def test_the_systematic_error_is_what_the_estimator_adds_on_exact_data():
     strength = fitted.theta[1] / seen.reference  # of one unit, from that of the first amplitude
     run = exact("2", [fitted.theta[1] * np.exp(fitted.theta[0])], 15)
     data = seen.reference * np.exp(fitted.theta[0] + run.a) * (-1.0) ** np.arange(16)
-    assert systematic_error(read("2"), textbook.bertin, seen) == pytest.approx(
+    assert systematic_error(textbook.bertin, exact_points(read("2"), seen)) == pytest.approx(
         textbook.bertin(data) - strength, rel=1e-4
     )
 
@@ -113,7 +113,7 @@ def test_without_a_fit_or_a_motion_there_is_no_error(monkeypatch):
         raise TooStrongError("it ends")
 
     monkeypatch.setattr(textbook, "turning_sequence", ends)
-    assert systematic_error(read("1"), textbook.logarithmic_decrement, seen) is None
+    assert systematic_error(textbook.logarithmic_decrement, exact_points(read("1"), seen)) is None
     monkeypatch.setattr(textbook, "fit_law", lambda *_: type(fitted)(fitted.candidate, None))
-    assert systematic_error(read("1"), textbook.logarithmic_decrement, seen) is None
+    assert systematic_error(textbook.logarithmic_decrement, exact_points(read("1"), seen)) is None
     assert all(each["systematic_error"] is None for each in textbook_estimates(seen).values())

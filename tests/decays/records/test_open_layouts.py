@@ -88,7 +88,7 @@ def test_structs_of_matlab_are_opened(tmp_path, monkeypatch):
 
 
 def test_stamps_of_a_buffer_are_evened_and_told():
-    t = np.arange(0, 40, 0.01)
+    t = np.arange(0, 20, 0.01)
     x = np.exp(-t / 20) * np.cos(3 * t)
     stamps = np.floor(t / 0.1 + 1e-9) * 0.1 + 1e-5 * (np.round(t / 0.01) % 10)
     (seen,) = load({"t": stamps, "x": x})

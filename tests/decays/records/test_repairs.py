@@ -16,7 +16,7 @@ def decay(start, seconds, seed, step=0.01):
     """x'' + 36 x + 0.1 x' + 0.05 x'|x'| = 0 from rest, with noise."""
     t = np.arange(0, seconds, step)
     force = lambda _, y: [y[1], -36 * y[0] - 0.1 * y[1] - 0.05 * y[1] * abs(y[1])]  # noqa: E731
-    x = solve_ivp(force, (0, seconds), [start, 0.0], t_eval=t, rtol=1e-10, atol=1e-12, max_step=0.05).y[0]
+    x = solve_ivp(force, (0, seconds), [start, 0.0], t_eval=t, method="DOP853", rtol=1e-10, atol=1e-12).y[0]
     return t, x, 0.003 * np.random.default_rng(seed).standard_normal(len(t))
 
 

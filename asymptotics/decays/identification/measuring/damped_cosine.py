@@ -40,6 +40,7 @@ _FASTER, _STARTS = 1.4, (np.geomspace(0.5, 2, 15), (0.5, 1.0, 2.0))
 the frequencies and rates, as multiples of those that are given, of which the best begins the search."""
 _LEVELS = np.linspace(0.0, np.log(_LEAST), 400)
 """Of ln A/A_0, from level to level of which the time is summed: linear between them, to 7e-5 of A."""
+_RAISED = {k: np.exp(k * _LEVELS) for k in _POWERS}
 _PLACES, _OVERTONES = np.linspace(0.0, 2 * np.pi, 721), np.arange(3, 60, 2)
 """Of psi in a period, and the overtones that make up the shape: they fall at least like 1/n^3."""
 
@@ -126,7 +127,12 @@ def _shape(powers: tuple[int, ...], g: Array, s: Array) -> Array:
         return np.asarray(np.exp(-g[0] * s))
     if len(powers) == 1:
         return np.asarray(np.clip(1 + powers[0] * g[0] * s, _LEAST, 1 / _LEAST) ** (-1 / powers[0]))
-    return np.asarray(np.exp(np.interp(s, _times(powers, g, s)[1], _LEVELS)))
+    return _from_times(s, _times(powers, g, s)[1])
+
+
+def _from_times(s: Array, times: Array) -> Array:
+    """A(s)/A_0 by when each level is reached."""
+    return np.asarray(np.exp(np.interp(s, times, _LEVELS)))
 
 
 def _summed(f: Array) -> Array:
@@ -136,7 +142,7 @@ def _summed(f: Array) -> Array:
 
 def _times(powers: tuple[int, ...], g: Array, s: Array) -> tuple[Array, Array]:
     """One over the rate of decay at each level of ln A/A_0, and when it is reached."""
-    rate = sum(gk * np.exp(k * _LEVELS) for k, gk in zip(powers, g))
+    rate = sum(gk * _RAISED[k] for k, gk in zip(powers, g))
     # Where the rates of two powers cancel, the amplitude stays.
     slow = 1 / np.maximum(rate, 1e-6 / max(float(s[-1]), 1e-300))
     return slow, _summed(slow)
@@ -172,22 +178,22 @@ def _begun(s: Array, x: Array, omega: float, rate: float) -> tuple[float, float]
     return min(tried, key=lambda start: _linear(s, x, start[0], np.exp(-start[1] * s))[1])
 
 
-def _falling(powers: tuple[int, ...], g: Array, s: Array) -> list[Array]:
-    """The slopes of ln A(s)/A_0 in each rate: of one -s (A/A_0)^k, until the amplitude ends; of two by
+def _falling(powers: tuple[int, ...], g: Array, s: Array) -> tuple[Array, list[Array]]:
+    """A(s)/A_0, and the slopes of its logarithm in each rate: of one -s (A/A_0)^k, until the amplitude ends; of two by
     the integral of (A/A_0)^j/rate^2 over ln A, times the rate."""
     if len(powers) == 1:
-        moving = 1 + powers[0] * g[0] * s
+        moving, size = 1 + powers[0] * g[0] * s, _shape(powers, g, s)
         inside = (moving > _LEAST) & (moving < 1 / _LEAST)
-        return [np.where(inside, -s * _shape(powers, g, s) ** powers[0], 0.0)]
+        return size, [np.where(inside, -s * size ** powers[0], 0.0)]
     slow, times = _times(powers, g, s)
-    each = [slow**2 * np.exp(k * _LEVELS) for k in powers]
-    return [-np.interp(s, times, _summed(one) / slow, right=0.0) for one in each]
+    each = [slow**2 * _RAISED[k] for k in powers]
+    return _from_times(s, times), [-np.interp(s, times, _summed(one) / slow, right=0.0) for one in each]
 
 
 def _waves(c: Array, powers: tuple[int, ...], s: Array, bent: bool) -> tuple[Array, Array]:
     """The samples that these numbers foretell, and their slopes in each of them."""
     g, omega = c[_OTHERS:], c[2]
-    size, psi = _shape(powers, g, s), omega * s + c[1]
+    (size, falls), psi = _falling(powers, g, s), omega * s + c[1]
     swing, ahead, weighed = np.cos(psi), -np.sin(psi), np.cos(psi)
     beside = [np.zeros(len(s))] * len(powers)
     for n, (k, gk) in enumerate(zip(powers, g)) if bent else ():
@@ -197,7 +203,7 @@ def _waves(c: Array, powers: tuple[int, ...], s: Array, bent: bool) -> tuple[Arr
         ahead = ahead + gk * size**k / omega * dz
     wave, u = np.exp(c[0]) * size, s / s[-1]
     turned = s * ahead - sum(gk * one for gk, one in zip(g, beside)) / omega
-    rates = [fall * weighed + one for fall, one in zip(_falling(powers, g, s), beside)]
+    rates = [fall * weighed + one for fall, one in zip(falls, beside)]
     slopes = [wave * swing, wave * ahead, wave * turned, np.ones(len(s)), u, *(wave * one for one in rates)]
     return np.asarray(wave * swing + c[3] + c[4] * u), np.stack(slopes, axis=1)
 

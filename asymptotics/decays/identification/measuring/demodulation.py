@@ -136,6 +136,11 @@ class SpectralLine:
         modulation = np.polynomial.chebyshev.chebval(self._places(t), c)
         return np.asarray((modulation * np.exp(1j * harmonic * self.omega * t)).real)
 
+    def waves(self, c: Array, harmonic: int, t: Array) -> Array:
+        """The same of each column of coefficients, in one product."""
+        modulation = np.polynomial.chebyshev.chebvander(self._places(t), len(c) - 1) @ c
+        return np.asarray((modulation * np.exp(1j * harmonic * self.omega * t)[:, None]).real)
+
     def _sum(self, P: Array, Q: Array, t: Array, order: int) -> Array:
         """A derivative by time of Re(P e^(i w t)) + Re(Q e^(3 i w t))."""
         return self.wave(self.differentiated(P, 1, order), 1, t) + self.wave(self.differentiated(Q, 3, order), 3, t)

@@ -91,7 +91,7 @@ def _local(t: Array, x: Array, centre: float, half: float, *, extreme: bool) -> 
         V = np.vander(u, DEGREE + 1, increasing=True)
         inverse = np.linalg.inv(V.T @ V)  # of degree 6 on [-1, 1]: a condition of 1e6, and much sooner than an SVD
         c = inverse @ (V.T @ y)
-        root = _newton(np.polynomial.Polynomial(c), extreme)
+        root = _newton(c.tolist(), extreme)
         if root is None:
             return None
         if abs(root) < 0.01 or attempt == 2:
@@ -111,15 +111,28 @@ def _local(t: Array, x: Array, centre: float, half: float, *, extreme: bool) -> 
     return centre + root * half, float(powers @ c), in_time * memory, in_value * memory, spread
 
 
-def _newton(polynomial: np.polynomial.Polynomial, extreme: bool) -> float | None:
-    function = polynomial.deriv() if extreme else polynomial
-    slope, u = function.deriv(), 0.0
+def _slopes(c: list[float]) -> list[float]:
+    """The coefficients of the derivative of a polynomial."""
+    return [k * each for k, each in enumerate(c)][1:]
+
+
+def _value(c: list[float], u: float) -> float:
+    """By Horner's rule, in Python's own numbers: of one place it takes a tenth of the time of an array."""
+    total = 0.0
+    for each in reversed(c):
+        total = total * u + each
+    return total
+
+
+def _newton(polynomial: list[float], extreme: bool) -> float | None:
+    function = _slopes(polynomial) if extreme else polynomial
+    slope, u = _slopes(function), 0.0
     # Newton's iteration in the unit of the window, from its middle; beyond 0.9 the polynomial is not known.
     for _ in range(12):
-        d = float(slope(u))
+        d = _value(slope, u)
         if d == 0:
             return None
-        step = float(function(u)) / d
+        step = _value(function, u) / d
         u -= step
         if abs(u) > 0.9:
             return None

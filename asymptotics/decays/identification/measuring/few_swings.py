@@ -27,6 +27,7 @@ from asymptotics.decays.identification.measuring.criteria import memory_factor
 from asymptotics.decays.identification.measuring.damped_cosine import DampedCosine, damped_cosine
 from asymptotics.decays.identification.measuring.observations import Observations, Samples
 from asymptotics.errors import InputError
+from asymptotics.numbers.context import lru_cache
 from asymptotics.present.counts import many
 
 ENOUGH_PERIODS, _MOST = 1.5, 400
@@ -91,7 +92,7 @@ def of_a_short_record(
     if not _is_slow(t, x):
         return None
     few = averaged(t, x)
-    line = damped_cosine(*few, *begun(*few), derivative)
+    line = _line(*few, derivative)
     found = _beyond_doubt(*few, line)
     if found is None and _has_line(*few, line) or found is not None and found[1] >= ENOUGH_PERIODS:
         return None
@@ -118,7 +119,18 @@ def _has_line(t: Array, x: Array, line: DampedCosine | None) -> bool:
 def swings(t: Array, x: Array, derivative: int = 0) -> tuple[DampedCosine, float] | None:
     """The damped cosine of few periods and how many they are; None where nothing swings beyond doubt."""
     t, x = averaged(t, x)
-    return _beyond_doubt(t, x, damped_cosine(t, x, *begun(t, x), derivative))
+    return _beyond_doubt(t, x, _line(t, x, derivative))
+
+
+def _line(t: Array, x: Array, derivative: int) -> DampedCosine | None:
+    """The damped cosine through all samples: what decides about a short record is told of it again."""
+    return _kept_line(t.tobytes(), x.tobytes(), derivative)
+
+
+@lru_cache(maxsize=8)
+def _kept_line(t: bytes, x: bytes, derivative: int) -> DampedCosine | None:
+    times, values = np.frombuffer(t), np.frombuffer(x)
+    return damped_cosine(times, values, *begun(times, values), derivative)
 
 
 def _beyond_doubt(t: Array, x: Array, line: DampedCosine | None) -> tuple[DampedCosine, float] | None:

@@ -78,10 +78,8 @@ def _columns(
     that is a ``derivative``, integrated to the motion."""
     found = []
     for harmonic in harmonics:
-        for k in range(degree + 1):
-            for part in (1.0, -1j):
-                c = np.zeros(degree + 1, dtype=complex)
-                c[k] = part
-                c = line.differentiated(line.integrated(c, harmonic, derivative), harmonic, order)
-                found.append(line.wave(c, harmonic, t))
-    return np.stack(found, axis=1)
+        units = np.repeat(np.eye(degree + 1, dtype=complex), 2, axis=0)
+        units[1::2] *= -1j
+        each = [line.differentiated(line.integrated(c, harmonic, derivative), harmonic, order) for c in units]
+        found.append(line.waves(np.stack(each, axis=1), harmonic, t))
+    return np.concatenate(found, axis=1)

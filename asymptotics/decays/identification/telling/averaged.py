@@ -12,6 +12,7 @@ each; what is hardly believed hardly moves it.  The union of the intervals of al
 [1.818, 2.047, 2.432]
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import inf, nan
 
@@ -25,6 +26,7 @@ Ends = dict[str, float]
 NORMAL = 1.96
 """Of the normal distribution, for errors that are known."""
 _TAILS = {"low": 0.025, "estimate": 0.5, "high": 0.975}
+ENDS = tuple(_TAILS)
 _LEAST = 1e-4
 """A weight beside the best below which a model is not asked."""
 _FAR = 13.0
@@ -47,24 +49,29 @@ def weights(criteria: Array) -> Array:
     return np.asarray(each / each.sum())
 
 
-def averaged(each: list[Told]) -> Ends:
-    """The median, and the 95 % interval, of the weighted sum of their distributions."""
+def averaged(each: list[Told], names: Iterable[str] = ENDS) -> Ends:
+    """The median, and the 95 % interval, of the weighted sum of their distributions; or some of these ``names``."""
     share = weights(np.array([told.criterion for told in each]))
     asked = share > _LEAST
     w = share[asked] / share[asked].sum()
     value, error, freedom = (np.array([getattr(t, k) for t in each])[asked] for k in ("value", "error", "freedom"))
     if not error.any() and np.ptp(value) == 0:
-        return dict.fromkeys(_TAILS, float(value[0]))
+        return dict.fromkeys(names, float(value[0]))
     error = np.maximum(error, 1e-12 * np.abs(value).max())
     known = np.isinf(freedom)
+    finite = np.where(known, 1.0, freedom)
 
     def below(x: float, tail: float) -> float:
         z = (x - value) / error
-        return float(w @ np.where(known, ndtr(z), stdtr(np.where(known, 1.0, freedom), z))) - tail
+        if known.any():
+            each = ndtr(z) if known.all() else np.where(known, ndtr(z), stdtr(finite, z))
+        else:
+            each = stdtr(freedom, z)
+        return float(w @ each) - tail
 
     low, high = float((value - _FAR * error).min()), float((value + _FAR * error).max())
     tolerance = 1e-6 * float(error.min())
-    return {name: float(brentq(below, low, high, (tail,), xtol=tolerance)) for name, tail in _TAILS.items()}
+    return {name: float(brentq(below, low, high, (_TAILS[name],), xtol=tolerance)) for name in names}
 
 
 def mean_of(each: list[Told]) -> Ends:

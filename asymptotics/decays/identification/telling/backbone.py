@@ -17,7 +17,7 @@ times are corrected by its estimate, and the intervals hold what its interval ma
 ['5.655', '6.092', '6.225']
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,7 +26,7 @@ from scipy.special import ellipk
 from asymptotics.decays.identification.forward.coefficients import Array
 from asymptotics.decays.identification.measuring.criteria import aicc, memory_factor
 from asymptotics.decays.identification.measuring.observations import Indices
-from asymptotics.decays.identification.telling.averaged import NORMAL, Told, averaged, united
+from asymptotics.decays.identification.telling.averaged import ENDS, NORMAL, Told, averaged, united
 from asymptotics.decays.identification.telling.decline import FAR, TOP
 
 Row = dict[str, float]
@@ -81,9 +81,9 @@ class TurningTimes:
         moved = np.zeros(len(c)) if self.late is None else -(inverse @ (white @ self.late))
         return _Fitted(value, spare, c[1:], (inverse @ inverse.T)[1:, 1:] * noise, moved[1:])
 
-    def row(self, amplitude: float, each: list[tuple["_Fitted", Array]]) -> Row:
+    def row(self, amplitude: float, each: list[tuple["_Fitted", Array]], names: Iterable[str]) -> Row:
         """What the fits say, each of its coefficients in these proportions, and what the friction leaves open."""
-        return {"amplitude": amplitude, **averaged([fit.told(by, self.unsure) for fit, by in each])}
+        return {"amplitude": amplitude, **averaged([fit.told(by, self.unsure) for fit, by in each], names)}
 
 
 @dataclass(frozen=True)
@@ -110,8 +110,8 @@ def backbone(times: TurningTimes) -> list[Row]:
     return [] if found is None else [found(a) for a in ends]
 
 
-def period_at(times: TurningTimes) -> Callable[[float], Row] | None:
-    """T with its interval as a function of the amplitude; None of too few times."""
+def period_at(times: TurningTimes, names: Iterable[str] = ENDS) -> Callable[[float], Row] | None:
+    """T with its interval, or some of these ``names``, as a function of the amplitude; None of too few times."""
     n, size = times.n, times.size
     if len(n) < _LEAST:
         return None
@@ -129,7 +129,7 @@ def period_at(times: TurningTimes) -> Callable[[float], Row] | None:
     def at(amplitude: float) -> Row:
         place = np.array(amplitude / size[0])
         told = [(fit, np.array([_period(place, k, angle) for k in powers])) for angle, powers, fit in found]
-        return times.row(amplitude, told)
+        return times.row(amplitude, told, names)
 
     return at
 

@@ -297,7 +297,7 @@ def _lasts(times: TurningTimes | None, step: float | None) -> Callable[[float], 
     """
     if step is None:
         return None
-    found = None if times is None else period_at(times)
+    found = None if times is None else period_at(times, ("estimate",))
     return (lambda _: step / 2) if found is None else (lambda amplitude: found(amplitude)["estimate"] / 2)
 
 

@@ -19,6 +19,7 @@ from asymptotics.decays.identification.telling.record_units import RecordUnits
 from asymptotics.decays.identification.telling.verdicts import IDENTIFIED, MANY, Verdict
 from asymptotics.errors import require_choice
 from asymptotics.numbers.alike import Alike
+from asymptotics.numbers.context import cached_property
 from asymptotics.numbers.policy import exact_integer
 from asymptotics.present.counts import many
 from asymptotics.present.drawn import Drawn
@@ -92,6 +93,10 @@ class Identification(Alike, Rows, Drawn):
 
     def _bare(self) -> MeasuredEnvelope | None:
         """Period, Q(A) and half-life before any law; of several runs, those of the first."""
+        return self._envelope
+
+    @cached_property
+    def _envelope(self) -> MeasuredEnvelope | None:
         run = self.runs[0]
         return envelope(run) if isinstance(run, Observations) else None
 

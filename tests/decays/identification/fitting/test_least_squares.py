@@ -1,5 +1,7 @@
 """What one law predicts of one run: turning points, their times and the passages, about an offset, with derivatives."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -12,11 +14,14 @@ from asymptotics.decays.identification.measuring.observations import Observation
 E1, E2, OMEGA, T0, OFFSET = 0.05, 0.04, 3.0, 0.7, 2e-3
 
 
+@cache
 def motion(start, offset, count=9):
     """(n, x, t, passage_t) of x'' + omega^2 (x - offset) + ... from rest at ``start`` about the offset, by SciPy."""
     law = lambda _, y: [y[1], -y[0] - E1 * y[1] - E2 * y[1] * abs(y[1])]  # noqa: E731
     turns, passes = (lambda _, y: y[1]), (lambda _, y: y[0] + offset)
-    found = solve_ivp(law, (0, 3.3 * count), [start, 0.0], events=[turns, passes], rtol=1e-11, atol=1e-13)
+    found = solve_ivp(
+        law, (0, 3.3 * count), [start, 0.0], events=[turns, passes], method="DOP853", rtol=1e-11, atol=1e-13
+    )
     n, later = np.arange(count), found.t_events[0] > 0.1
     x = np.array([start, *found.y_events[0][later, 0]])[:count] + offset
     times = np.array([0.0, *found.t_events[0][later]])[:count]

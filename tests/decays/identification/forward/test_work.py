@@ -77,7 +77,7 @@ def slow(monkeypatch):
 
 def record():
     """A decay whose samples are fitted: about a second of work."""
-    t = np.arange(0, 90, 0.35)
+    t = np.arange(0, 45, 0.35)
     return {"t": t, "x": np.exp(-0.02 * t) * np.cos(t) + 4e-3 * np.random.default_rng(5).standard_normal(len(t))}
 
 

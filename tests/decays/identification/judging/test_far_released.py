@@ -39,7 +39,7 @@ def released(angle, friction, drag, t, spring=np.sin):
 
 def test_the_law_of_a_release_from_140_degrees_is_found():
     """Failed before: refuted, with twice the noise left, and a spring in x^3 and x^5 was identified."""
-    t = np.arange(0, 28.8, 0.025)
+    t = np.arange(0, 20, 0.04)
     x = released(np.radians(140), 0.08, 0.02, t) + 0.005 * np.random.default_rng(0).standard_normal(len(t))
     seen = load({"t (s)": t, "theta (rad)": x})[0]
     fit = fit_law(read_candidate("0+2+pendulum"), seen).fit
@@ -49,7 +49,7 @@ def test_the_law_of_a_release_from_140_degrees_is_found():
 
 def far_up(noise):
     """A pendulum from 145 degrees with dry friction and drag in v^2, whose first swings no smooth line follows."""
-    t = np.arange(0, 16, 0.02)
+    t = np.arange(0, 16, 0.024)
     friction, drag = (0.3, 0.01) if noise < 0.01 else (0.08, 0.02)
     x = released(np.radians(145), friction, drag, t) + noise * np.random.default_rng(1).standard_normal(len(t))
     return load({"t (s)": t, "theta (rad)": x})[0]
@@ -72,7 +72,7 @@ def test_a_law_begins_with_the_late_swings_of_a_pendulum(monkeypatch):
 def test_a_release_of_which_the_first_swing_leaves_little_has_its_law(monkeypatch, drag, noise):
     """Failed before: the first swing loses 83 and 92 %; the right law was undetermined, "its amplitude, 0.43, is far
     outside the data", and of the second record the period was 4.2."""
-    t = np.arange(0, 15, 0.025)
+    t = np.arange(0, 12, 0.025)
     x = released(0.5, 0.0, drag, t, spring=lambda x: x) + noise * np.random.default_rng(1).standard_normal(len(t))
     seen = load({"t (s)": t, "x (m)": x})[0]
     assert 2 * np.median(np.diff(seen.t)) == pytest.approx(1.3, rel=0.02)

@@ -64,7 +64,7 @@ def test_missing_samples_a_push_and_a_noisy_tail_are_discarded_and_said():
 
 def test_a_record_identifies_its_law_and_agrees_with_its_turning_points():
     t, x = sampled(noise=1e-3)
-    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "0+1", "free"])
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "0+1"])
     assert answer.verdict.text.startswith("identified: 1")
     assert answer.law("1").law.epsilon[0].contains(EPSILON)
     assert answer.units.omega_0 == pytest.approx(OMEGA, rel=1e-4)
@@ -87,7 +87,7 @@ def test_the_tanker_rolls_with_quadratic_loss_and_a_stiffening_spring():
     (seen,) = load(roll_decay())
     assert 140 <= len(seen.n) <= 147
     assert seen.unit == "rad"
-    answer = asy.identify(seen, laws=["1", "2", "free"], springs=["3"], amplitudes=(np.radians(5), np.radians(11)))
+    answer = asy.identify(seen, laws=["2", "free"], springs=["3"], amplitudes=(np.radians(5), np.radians(11)))
     assert answer.law("free+s3").law.alpha.contains(2.0)
     assert answer.law("2+s3").law.verdict == "consistent"
     assert answer.law("2").law.verdict == "refuted"  # the spring is needed: the period depends on the amplitude
@@ -118,7 +118,7 @@ def two_losses():
 def test_few_samples_a_period_are_enough(samples):
     t = np.arange(0, 120, 2 * np.pi / SPEED / samples)
     x = motion(t) + 1e-3 * np.random.default_rng(samples).standard_normal(len(t))
-    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "1+2"])
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2"])
     assert answer.verdict.text.startswith("identified: 1,")
     assert answer.law("1").law.epsilon[0].contains(EPSILON)
     assert len(answer.runs[0].n) > 90
@@ -217,7 +217,7 @@ def test_the_first_swings_of_a_deep_pendulum_are_where_they_are():
 
 def test_the_samples_stand_under_the_envelope_where_turning_points_are_fitted():
     """Failed before: the picture of a record had its turning points alone.  About the base line, and thinned."""
-    t = np.arange(0, 40, 0.004)
+    t = np.arange(0, 25, 0.005)
     x = np.cos(2 * t) / (1 + 0.05 * t) + 0.3 + 1e-4 * np.random.default_rng(8).standard_normal(len(t))
     found = asy.identify(t, x, laws=["2"], bootstrap=False)
     seen = found.best.law.fit.model.seen

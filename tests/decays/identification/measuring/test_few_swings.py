@@ -62,7 +62,7 @@ def test_what_does_not_swing_is_refused_with_the_true_reason(name):
         told(still(name))
 
 
-@pytest.mark.parametrize("rounds", [2, pytest.param(12, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("rounds", [1, pytest.param(12, marks=pytest.mark.slow)])
 def test_noise_of_any_memory_and_creeping_motions_never_swing(rounds):
     random, found = np.random.default_rng(20261127), []
     for _ in range(rounds):
@@ -72,7 +72,7 @@ def test_noise_of_any_memory_and_creeping_motions_never_swing(rounds):
     assert found == [None] * 3 * rounds
 
 
-@pytest.mark.parametrize("count", [20, pytest.param(60, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [10, pytest.param(60, marks=pytest.mark.slow)])
 def test_period_and_quality_of_a_swing_are_covered(count):
     hits = []
     for seed in range(count):
@@ -118,7 +118,7 @@ def test_means_of_neighbours_are_enough():
 
 def test_one_swing_above_the_noise_of_a_long_record_is_told():
     """Failed before: 0.98 periods, of five."""
-    t = np.arange(0, 5, 1 / 60)
+    t = np.arange(0, 5, 1 / 40)
     x = np.exp(-np.pi / 2 * t) * np.cos(2 * np.pi * t + 0.3) + 0.015 * np.random.default_rng(1).standard_normal(len(t))
     found = told(x, t)["envelope"]
     assert float(found["period"]["low"]) <= 1 <= float(found["period"]["high"]) < 1.1
@@ -133,6 +133,6 @@ def test_a_strong_decay_with_a_long_rest_keeps_its_swings(quality, per_period, s
     w = np.sqrt(1 - g * g)
     t = np.arange(0.3, np.pi * swings, 2 * np.pi / per_period)
     x = np.exp(-g * t) * (np.cos(w * t) + g / w * np.sin(w * t))
-    for seed in range(5):
+    for seed in range(2):
         (seen,) = load({"t": t, "x": x + noise * np.random.default_rng(seed).standard_normal(len(t))})
         assert envelope(seen).period["estimate"] == pytest.approx(2 * np.pi / w, rel=0.08)

@@ -1,5 +1,6 @@
 """Q before any law of losses whose exponents are no whole numbers."""
 
+from functools import cache
 from math import exp, gamma, log, pi, sqrt
 
 import numpy as np
@@ -72,6 +73,7 @@ def test_dry_friction_of_a_seventh_of_the_spring_force_has_its_fall(monkeypatch)
         assert told.friction()["estimate"] == pytest.approx(f, rel=1e-4)
 
 
+@cache
 def swung(amplitude, alpha, epsilon):
     """Where the pendulum turns next, by another integrator."""
     turning = lambda t, y: y[1]  # noqa: E731

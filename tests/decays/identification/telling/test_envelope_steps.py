@@ -45,7 +45,7 @@ def test_q_is_half_pi_over_what_a_half_swing_takes(size, fall):
 
 
 def test_intervals_cover_the_truth_and_no_more_than_they_must():
-    hits, count = 0, 60
+    hits, count = 0, 30
     for seed in range(count):
         q = envelope(seen(noisy(2 * np.exp(-0.04 * N), 0.01, seed))).quality[1]
         hits += q["low"] <= np.pi / 2 / 0.04 <= q["high"]
@@ -82,7 +82,7 @@ def test_noise_in_the_tail_does_not_lift_the_curve():
     the mean of the logarithm 0.5 too high."""
     n, fall = np.arange(300), 0.0115
     z = []
-    for seed in range(40):
+    for seed in range(24):
         size = np.exp(-fall * n) + 0.004 * np.random.default_rng(seed).standard_normal(len(n))
         found = decline.decline_of(n, size, 0.0, 1.0)(0.18)
         z.append((found["estimate"] - fall) / ((found["high"] - found["low"]) / 3.92))

@@ -98,13 +98,13 @@ def test_beside_a_spring_the_ratio_and_the_half_life_are_the_certified_ones(alph
 
 
 def test_the_envelope_tells_times_in_the_unit_of_the_file(tmp_path):
-    t = np.arange(0, 40, 0.05)
+    t = np.arange(0, 40, 0.1)
     x = np.exp(-0.05 * t) * np.cos(2 * t) + 1e-4 * np.random.default_rng(0).standard_normal(len(t))
     found = {}
     for unit, size in (("s", 1.0), ("ms", 1e3), ("min", 1 / 60)):
         file = tmp_path / f"{unit}.csv"
         file.write_text(f"t ({unit}),x\n" + "\n".join(f"{size * a!r},{b!r}" for a, b in zip(t.tolist(), x.tolist())))
-        found[unit] = asy.identify(file, laws=["1", "2"], bootstrap=False).to_dict()["envelope"]
+        found[unit] = asy.identify(file, laws=["1"], bootstrap=False).to_dict()["envelope"]
         assert found[unit]["time_unit"] == unit
         assert float(found[unit]["period"]["estimate"]) == pytest.approx(np.pi * size, rel=1e-3)
         assert float(found[unit]["half_life"]["estimate"]) == pytest.approx(np.log(2) / 0.05 * size, rel=0.02)
