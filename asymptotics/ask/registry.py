@@ -4,6 +4,7 @@
 (True, True, 'stokes')
 """
 
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,6 +22,7 @@ SWEPT = tuple(name for name in QUESTIONS if "swept=True" in _FILES[name].read_te
 """Those that answer one set of values with one record."""
 
 
+@cache
 def summary(name: str) -> str:
     """The first line of its file, a docstring, read without loading it or reading the rest."""
     with _FILES[name].open(encoding="utf-8") as file:

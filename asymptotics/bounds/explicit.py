@@ -139,7 +139,7 @@ class _ExplicitTheorem:
         amplitude, phase = (_rows(series, order) for series in found)
         return cls(waves, order, strength, amplitude, phase, p, Omega)
 
-    @property
+    @cached_property
     def w(self) -> arb:
         """alpha - 1, exact first."""
         return (self.waves.alphas[0] - 1).ball()

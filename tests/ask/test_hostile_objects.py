@@ -101,7 +101,8 @@ DRAWN = ("picture", "plot", "html_report")
 """They take long: few values, in the short walk."""
 DEAR = {
     "ImplicitSolution.at", "ImplicitSolution.at_time", "ImplicitSolution.proved", "ImplicitSolution.to_dict",
-    "Reference.certificate", "Solution.sample", "TurningPoints.picture",
+    "MotionTurningPoints.certificate", "Reference.certificate", "Solution.sample", "SpringEnvelope.amplitudes",
+    "SpringEnvelope.phase", "SpringEnvelope.phases", "SpringEnvelope.time", "TurningPoints.picture",
 }  # fmt: skip
 """Half a second each: in the walk over all values alone, where others of their kind stay in the short one."""
 BALLS = {"Oscillator.deltas", "Oscillator.to_si", "Term.delta", "Waveforms.enclosed", "GeneratingFunction.scaled_at"}

@@ -28,9 +28,9 @@ def test_a_spring_beside_a_limit_cycle_is_not_multiplied_by_mu(capsys):
     assert equation in shown(capsys, "limit-cycle --law 1:-1 --law 1,2:1 --spring 3:1/2 --mu 1/2")
 
     def amplitude(c):
-        orbit = solve_ivp(lambda t, y: [y[1], -y[0] - c * y[0] ** 3 - 0.5 * (y[0] ** 2 - 1) * y[1]], (0, 80), [2, 0],
+        orbit = solve_ivp(lambda t, y: [y[1], -y[0] - c * y[0] ** 3 - 0.5 * (y[0] ** 2 - 1) * y[1]], (0, 40), [2, 0],
                           rtol=1e-9, atol=1e-9, dense_output=True)  # fmt: skip
-        return np.abs(orbit.sol(np.linspace(60, 80, 4001))[0]).max()
+        return np.abs(orbit.sol(np.linspace(30, 40, 2001))[0]).max()
 
     assert amplitude(0.5) == pytest.approx(float(found.at_mu.amplitude), abs=1e-4)
     assert amplitude(0.25) != pytest.approx(float(found.at_mu.amplitude), abs=1e-2)
@@ -65,10 +65,10 @@ def test_the_error_of_a_gauge_at_the_start_is_no_event():
 
 
 def test_a_bound_stands_in_the_export_of_a_sweep(capsys, tmp_path):
-    line = "sweep motion --alpha 2 --epsilon 1/10 --time 1,2 --bound --workers 1"
+    line = "sweep motion --alpha 2 --epsilon 1/10 --order 2 --time 1,2 --bound --workers 1"
     shown(capsys, f"{line} --store {tmp_path / 'runs'} --export {tmp_path / 'x.csv'}")
     rows = list(csv.DictReader((tmp_path / "x.csv").read_text().splitlines()))
-    alone = json.loads(shown(capsys, "motion --alpha 2 --epsilon 1/10 --time 2 --bound --json"))
+    alone = json.loads(shown(capsys, "motion --alpha 2 --epsilon 1/10 --order 2 --time 2 --bound --json"))
     assert rows[1]["result.bound"] == alone["bound"] != "" and rows[1]["bound"] == ""
 
 

@@ -96,7 +96,7 @@ def test_the_constant_for_all_strengths_is_the_bound_at_its_largest(alphas, orde
 
 
 def test_where_nothing_is_known_energy_is_the_bound():
-    found = uniform_bound(Oscillator({"40": "1/5"}), 4)
+    found = uniform_bound(Oscillator({"40": "1/5"}), 2)
     assert 2 <= float(found.bound) <= 2.6
 
 

@@ -199,9 +199,9 @@ def test_conversions_of_a_pendulum_are_torques_and_the_title_has_the_unit_of_its
     units = {c.definition: c.unit for c in asy.damping(pendulum, digits=6).conversions() if c.name == "C"}
     assert list(units.values()) == ["N m (s/rad)^2", "N m s"] and all("torque" in told for told in units)
     mass = asy.Oscillator({2: "1/10", 1: "1/5"}, mass=2, stiffness=3)
-    assert [c.unit for c in asy.damping(mass).conversions() if c.name == "C"] == ["N (s/m)^2", "N s/m"]
-    assert asy.damping(mass, amplitudes=[1])._page().title.endswith("at 1 m")
-    assert asy.damping({2: "1/10"}, amplitudes=[1])._page().title.endswith("at 1")
+    assert [c.unit for c in asy.damping(mass, digits=6).conversions() if c.name == "C"] == ["N (s/m)^2", "N s/m"]
+    assert asy.damping(mass, amplitudes=[1], digits=6)._page().title.endswith("at 1 m")
+    assert asy.damping({2: "1/10"}, amplitudes=[1], digits=6)._page().title.endswith("at 1")
 
 
 def test_the_title_of_a_picture_is_of_what_is_drawn():

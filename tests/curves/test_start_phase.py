@@ -143,12 +143,12 @@ def test_what_x_0_is_in_SI_is_said(capsys):
 
 
 def test_units_that_an_implicit_solution_does_not_have_are_refused_by_name(capsys):
-    sums = "solution --law 1:1/10 --law 2:1/20 --order 2"
+    sums = "solution --law 1:1/10 --law 2:1/20 --order 1"
     for units in ("kappa", "SI"):
         assert main([*sums.split(), "--units", units]) == 2
         assert "--units" in capsys.readouterr().err
     assert answer(capsys, f"{sums} --units epsilon")["units"] == "epsilon"
-    physical = "solution --law 1:1/10 --law 2:1/20 --mass 2 --stiffness 8 --order 2"
+    physical = "solution --law 1:1/10 --law 2:1/20 --mass 2 --stiffness 8 --order 1"
     assert answer(capsys, physical)["units"] == "epsilon"  # the label is that of the formulas
     with pytest.raises(asy.InputError, match="units"):
         solution_at({1: "1/10", 2: "1/20"}, units="kappa")

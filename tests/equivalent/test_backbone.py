@@ -59,7 +59,7 @@ def test_it_is_a_column_and_a_curve(tmp_path):
     assert found.to_dict()["units"]["omega"] == "rad/s"
     # The series of order N has no times.
     assert found.rows[0].expanded.period is None
-    at = asy.damping({2: "1/20"}, 1, spring="pendulum").sample([0.5, 1.0, np.nan])
+    at = asy.damping({2: "1/20"}, 1, spring="pendulum", digits=6).sample([0.5, 1.0, np.nan])
     assert at["omega"][:2] == pytest.approx(np.pi / 2 / ellipk(np.sin([0.25, 0.5]) ** 2)) and np.isnan(at["omega"][2])
     found.plot(quantity="omega").figure.savefig(tmp_path / "backbone.svg")
     with pytest.raises(InputError, match="period, omega"):

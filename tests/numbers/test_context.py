@@ -196,7 +196,7 @@ FOLDERS = ("asymptotics", "derivations", "paper_checks", "benchmarks")
 DOOR = {"asymptotics/numbers/context.py", "asymptotics/numbers/decimal_context.py"}
 LOOKED_UP = {  # caches of what no precision enters: files, parsers, formulas as text, numbers of doubles
     "asymptotics/made_by.py", "asymptotics/ask/typed.py", "asymptotics/ask/question.py", "asymptotics/papers/lookup.py",
-    "asymptotics/shell/main.py",
+    "asymptotics/ask/registry.py", "asymptotics/shell/main.py",
     "asymptotics/papers/derived.py", "asymptotics/papers/documented.py", "asymptotics/papers/stored.py",
     "asymptotics/present/mathml.py", "asymptotics/decays/identification/measuring/damped_cosine.py",
 }  # fmt: skip

@@ -23,7 +23,7 @@ exponents = st.one_of(st.sampled_from(TROUBLE), st.fractions(0, 4, max_denominat
 laws = strategies.laws(2, exponents.map(ExactReal), strategies.strengths("1/100", "1"))
 
 
-@settings(max_examples=4 * LONGER)
+@settings(max_examples=4 * LONGER if LONGER > 1 else 2)
 @given(laws, strategies.states(), st.integers(1, 4), st.integers(3, 30))
 def test_turning_points_are_accepted(law, state, count, digits):
     oscillator = started(law, state)
