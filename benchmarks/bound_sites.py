@@ -97,8 +97,7 @@ def arithmetic_of(file: str) -> str:
 
 def sites_of(source: str, file: str) -> Iterator[Site]:
     """The sites of one module, in the order of its text."""
-    tree = ast.parse(source)
-    if not _uses_balls(tree):
+    if "from flint import" not in source or not _uses_balls(tree := ast.parse(source)):
         return
     starts = [0]
     for line in source.encode().splitlines(keepends=True):

@@ -63,7 +63,8 @@ latex, text = _kept(lambda shown: _Latex().doprint(shown)), _kept(str)
 
 
 def value(shown: sympy.Basic) -> sympy.Basic:
-    """What is displayed, evaluated; what waits under an integral, a sum or a limit first.
+    """What is displayed, evaluated; what waits under an integral, a sum or a limit first, and the derivative of an
+    integral by Leibniz' rule, before a primitive is looked for that may not be known.
 
     SymPy's own integral takes an operator D that waits for a function: of D(sin x) cos x over a period it would say 0.
 
@@ -73,18 +74,25 @@ def value(shown: sympy.Basic) -> sympy.Basic:
     >>> integral = sympy.Integral(D(sympy.sin(x)) * sympy.cos(x), (x, 0, 2 * sympy.pi))
     >>> integral.doit(), value(integral)
     (0, pi)
+    >>> y, s = sympy.Symbol("y", positive=True), sympy.Function("s")
+    >>> value(sympy.Derivative(sympy.Integral(s(x) + x * y, (x, 0, y)), y))
+    3*y**2/2 + s(y)
     """
     outer = (sympy.Integral, sympy.Sum, sympy.Limit)
     if not shown.has(*outer):
         return shown.doit()
+    if shown.has(sympy.Derivative):
+        shown = shown.replace(
+            lambda e: isinstance(e, sympy.Derivative) and e.has(sympy.Integral), lambda e: e.doit(integrals=False)
+        )
     ready = shown.replace(lambda e: isinstance(e, outer), lambda e: e.func(e.args[0].doit(), *e.args[1:]))
     return ready.replace(lambda e: isinstance(e, sympy.Integral), _integrated).doit()
 
 
 def _integrated(integral: sympy.Integral) -> sympy.Expr:
-    """The integral of c x^p, p > -1 from 0 or p != -1 between positive places, or of a sum of c x^n e^(ikx), such as a
-    polynomial in sin x and cos x; any other as it is, but none of a quotient with x in the denominator and a sine or
-    cosine.
+    """The integral of F'(x), of c x^p, p > -1 from 0 or p != -1 between positive places, or of a sum of c x^n e^(ikx),
+    such as a polynomial in sin x and cos x; any other as it is, but none of a quotient with x in the denominator and a
+    sine or cosine.
 
     SymPy finds these by trial, in seconds, and how many depends on the hash seed; here the second is
     int x^n e^(rx) = e^(rx) sum_j (-1)^j n!/(n-j)! x^(n-j)/r^(j+1).  After a quotient it may search until it has filled
@@ -106,6 +114,8 @@ def _integrated(integral: sympy.Integral) -> sympy.Expr:
     if len(limits) != 1 or len(limits[0]) != 3:
         return integral
     x, low, high = limits[0]
+    if isinstance(f, sympy.Derivative) and f.variables == (x,) and isinstance(f.expr, AppliedUndef):
+        return f.expr.subs(x, high) - f.expr.subs(x, low)
     factor, power = sympy.powsimp(sympy.expand_power_base(f)).as_coeff_exponent(x)
     inside = low.is_positive and high.is_positive and (power + 1).is_nonzero
     if not factor.has(x) and not power.has(x) and (inside or low == 0 and (power + 1).is_positive):

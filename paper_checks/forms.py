@@ -11,7 +11,7 @@ A check answers for every form it is given, a corrupted one included.  ``not a =
 
 import re
 from collections.abc import Callable, Iterable
-from functools import wraps
+from functools import cache, wraps
 from math import isfinite
 from numbers import Real
 from typing import Any
@@ -137,6 +137,7 @@ def _decimals(form: Any) -> Iterable[int]:
 _SIGNS = {"dxdv": r"\frac{dx}{dv}", "sine": r"\sin"}  # symbols of the code that stand for more than a letter
 
 
+@cache
 def tex(expression: sympy.Basic) -> str:
     r"""LaTeX in the letters of the papers: a primed Greek letter and eps have their signs, a derivative its fraction.
 

@@ -40,8 +40,9 @@ def same(left: sympy.Expr, right: sympy.Expr) -> Outcome:
 
 
 def _same(left: sympy.Expr, right: sympy.Expr, difference: sympy.Expr, points: tuple[Fraction, ...]) -> Outcome:
+    letters = _in_letters(difference)
     for shift in range(len(points)):
-        place = _excludes_zero(difference, points[shift:] + points[:shift])
+        place = _excludes_zero(letters, points[shift:] + points[:shift])
         if place is not None:
             differ(_apart(left, right, place))
             return Outcome.REFUTED
@@ -168,13 +169,21 @@ def limit_is(expression: sympy.Expr, variable: sympy.Symbol, end: sympy.Expr, va
 
 
 def _excludes_zero(expression: sympy.Expr, points: tuple[Fraction, ...]) -> Place | None:
-    """The rational point at which the expression is certainly not zero, if this is one."""
-    expression = _in_letters(expression)
+    """The rational point at which the expression, without unknown functions, is certainly not zero, if this is one."""
     symbols = sorted(expression.free_symbols, key=str)
     values = {s: to_sympy(q) for s, q in zip(symbols, cycle(points))}
     with ctx.workprec(200):
-        ball = closed_form_ball(expression.subs(values))
+        ball = _ball(expression, values)
     return values if ball.is_finite() and not ball.contains(0) else None
+
+
+def _ball(expression: sympy.Expr, values: Place) -> arb:
+    """The expression there, read as it stands; where that has no rule or no value, as SymPy writes it with numbers."""
+    try:
+        ball = closed_form_ball(expression, {s: closed_form_ball(q) for s, q in values.items()})
+    except TypeError:
+        ball = arb("nan")
+    return ball if ball.is_finite() else closed_form_ball(expression.subs(values))
 
 
 def _in_letters(expression: sympy.Expr) -> sympy.Expr:

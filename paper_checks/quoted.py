@@ -52,11 +52,11 @@ def rounded(text: str, value: float) -> bool:
 
 def untied(s: Statement) -> list[str]:
     """The numbers that a statement quotes and that are neither its own nor computed, or computed otherwise."""
-    known = COMPUTED.get(s.id, {})
-    own = set(_own(s))
+    known, asked = COMPUTED.get(s.id, {}), quoted(texts(s))
+    own = {*_own(s)} if asked else set()
     return [
         text
-        for text in quoted(texts(s))
+        for text in asked
         if not (rounded(text, known[text]()) if text in known else any(rounded(text, float(v)) for v in own))
     ]
 

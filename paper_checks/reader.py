@@ -327,8 +327,8 @@ def compared(entry: Statement) -> bool:
     >>> compared(tau), compared(replace(tau, latex=tau.latex.replace("12.9", "12.8")))
     (True, False)
     """
-    known = {key: found for sort in ledger().values() for key, found in sort.items()}
-    return known.get(entry.id, digest(entry)) == digest(entry)
+    known = next((sort[entry.id] for sort in ledger().values() if entry.id in sort), None)
+    return known is None or known == digest(entry)
 
 
 def written(entries: Iterable[Statement]) -> str:

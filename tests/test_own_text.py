@@ -14,7 +14,7 @@ import sympy
 
 import asymptotics as asy
 from asymptotics.numbers import exact
-from tests.sources import nodes
+from tests.sources import below, nodes
 
 ROOT = Path(__file__).parents[1]
 FILES = sorted((ROOT / "asymptotics").rglob("*.py"))
@@ -61,7 +61,7 @@ def read_again(parts: Iterable[ast.AST]) -> list[str]:
     parts = list(parts)
     found = []
     for scope in [n for n in parts if isinstance(n, ast.FunctionDef)] or [ast.Module(parts, [])]:
-        inner = list(ast.walk(scope))
+        inner = below(scope)
         given = [n for n in inner if isinstance(n, ast.Assign) and _made(n.value, set())]
         local = {name.id for n in given for name in n.targets if isinstance(name, ast.Name)}
         calls = [n for n in inner if isinstance(n, ast.Call) and _name(n.func) in READERS]

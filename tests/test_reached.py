@@ -6,14 +6,14 @@ from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
-from tests.sources import nodes, tree
+from tests.sources import below, nodes, tree
 
 ROOT = Path(__file__).parents[1]
 USERS = ("asymptotics", "paper_checks", "derivations", "docs", "benchmarks")
 
 
 def used(*parts: ast.AST) -> set[str]:
-    return names_in([n for part in parts for n in ast.walk(part)])
+    return names_in([n for part in parts for n in below(part)])
 
 
 def names_in(nodes: Iterable[ast.AST]) -> set[str]:

@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
@@ -13,7 +14,7 @@ import pytest
 from asymptotics import __version__ as version
 from derivations.__main__ import names
 from paper_checks.registry import load
-from tests.sources import nodes, tree
+from tests.sources import below, nodes
 
 ROOT = Path(__file__).parents[1]
 LAYERS = [  # a module may import its own room and what stands before it; a room within a room has a line of its own
@@ -92,12 +93,12 @@ def imports(path: Path) -> set[str]:
             found |= {alias.name for alias in node.names}
         if isinstance(node, ast.ImportFrom):
             found |= {f"{node.module}.{alias.name}" for alias in node.names} | {node.module or ""}
-    return found | {m for m in by_name(tree(path)) if m.startswith("asymptotics")}
+    return found | {m for m in by_name(nodes(path)) if m.startswith("asymptotics")}
 
 
-def by_name(node: ast.AST) -> set[str]:
+def by_name(nodes: Iterable[ast.AST]) -> set[str]:
     """The modules that ``import_module`` is given as text."""
-    calls = (n for n in ast.walk(node) if isinstance(n, ast.Call) and getattr(n.func, "id", "") == "import_module")
+    calls = (n for n in nodes if isinstance(n, ast.Call) and getattr(n.func, "id", "") == "import_module")
     return {call.args[0].value for call in calls if isinstance(call.args[0], ast.Constant)}
 
 
@@ -105,6 +106,7 @@ def dotted(path: Path) -> str:
     return ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
 
 
+@cache
 def layer(module: str) -> str:
     """The room of LAYERS in which a module stands: the innermost, or "" where it stands in none."""
     parts = module.split(".")[1:]
@@ -151,9 +153,9 @@ PARTS = {  # by name, where they are installed: the commands and functions that 
 
 def late(path: Path) -> list[str]:
     """The modules of the library that functions of a file import."""
-    functions = [n for n in nodes(path) if isinstance(n, ast.FunctionDef)]
-    inner = {m.module or "" for f in functions for m in ast.walk(f) if isinstance(m, ast.ImportFrom)}
-    return sorted(m for m in inner.union(*map(by_name, functions)) if m.startswith("asymptotics"))
+    inner = [n for f in nodes(path) if isinstance(f, ast.FunctionDef) for n in below(f)]
+    found = {n.module or "" for n in inner if isinstance(n, ast.ImportFrom)} | by_name(inner)
+    return sorted(m for m in found if m.startswith("asymptotics"))
 
 
 def test_late_imports_and_arrows_up_are_those_that_are_told():

@@ -11,7 +11,7 @@ import pytest
 import asymptotics as asy
 from asymptotics.running.budget import budget
 
-HANGS = "def test_without_end():\n    while True:\n        pass\n"
+HANGS = "import time\n\ndef test_without_end():\n    while True:\n        time.sleep(0.01)\n"
 
 
 def test_a_test_without_end_is_ended_and_named(tmp_path):

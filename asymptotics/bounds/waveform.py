@@ -114,9 +114,9 @@ class _Pieces:
         # The mean over [0, psi] on the first piece is a mean of f there; on a later one it lies between the mean before
         # and f, with the weight 1 - a/psi of f in [0, 1/(k+1)].
         means = [f[0]]
-        for k in range(1, self.count):
-            before = left[k] / (h * k)
-            means.append(before + (f[k] - before) * _between(arb(1) / (k + 1)))
+        for k, (place, weight) in enumerate(_weights(self.count, ctx.prec), 1):
+            before = left[k] / place
+            means.append(before + (f[k] - before) * weight)
         return np.array(left, dtype=object) + f * step, np.array(means, dtype=object)
 
 
@@ -260,6 +260,14 @@ class _Force:
         return F
 
 
+@lru_cache(maxsize=8)
+def _weights(count: int, bits: int) -> tuple[tuple[arb, arb], ...]:
+    """The beginnings of all pieces but the first, and the intervals [0, 1/(k+1)]."""
+    with ctx.workprec(bits):
+        h = arb.pi() / (2 * count)
+        return tuple((h * k, _between(arb(1) / (k + 1))) for k in range(1, count))
+
+
 def _between(h: arb) -> arb:
     """The ball that holds the interval [0, h]."""
     return arb(0).union(h)
@@ -273,7 +281,8 @@ def _hulls(values: Sequence[arb]) -> Any:
 def _modulus(x: Any, y: Any) -> Any:
     """The largest sqrt(x^2 + y^2) on the pieces."""
     pairs = zip(np.atleast_1d(x), np.atleast_1d(y))
-    return max(arb(arb((a * a + b * b).upper()).sqrt().upper()) for a, b in pairs)  # exact: no float decides
+    largest = max(arb((a * a + b * b).upper()) for a, b in pairs)  # exact: no float decides
+    return arb(largest.sqrt().upper())
 
 
 def _size(part: dict[Key, Any]) -> arb:

@@ -14,10 +14,12 @@ coefficients of (1 + g)^alpha are bounded by those of (1 - G)^(-alpha), so that 
 Derivation ``driven-unique``.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from math import inf, log2
+from typing import Any
 
 from flint import acb, arb
 
@@ -31,7 +33,7 @@ _SHARES = [0.8 * 0.9**i for i in range(16)]  # of the radius on which the series
 MAX_MONOMIALS = 1500
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Lattice:
     """The monomials s^e up to s^top: exponents, products of two, where e - alpha and e - 2 stand (None: nowhere)."""
 
@@ -160,6 +162,7 @@ def piece(balls: Balls, g: Lattice, theta: arb, side: int, sign: int, y0: arb, w
         raise UndecidedError("a piece of the trial orbit does not move on")
     ws, ys, inverse = [first], [y0], 1 / first
     powers = [[first**a] for _, a in losses]
+    weights = [_euler(a.mid().man_exp(), a.rad().man_exp(), g, ctx.prec) for _, a in losses]
     for n in range(1, len(g.exponents)):
         # At rest the equation at s^e gives (1 + e) u_e, in motion that at s^(n-1) gives n w_n.
         if lead:
@@ -170,8 +173,8 @@ def piece(balls: Balls, g: Lattice, theta: arb, side: int, sign: int, y0: arb, w
             slope = force[n - 1] - balls.k * ys[n - 1] - sum((c * p[-1] for (c, _), p in zip(losses, powers)), arb(0))
             ys.append(ws[-1] / n)
         ws.append(slope / ((lead + g.exponents[n]) * balls.mu))
-        for (_, a), p in zip(losses, powers):
-            p.append(_next_power(a, inverse, n, ws, p, g))
+        for weight, p in zip(weights, powers):
+            p.append(_next_power(weight[n], inverse, n, ws, p, g))
     return _cut(balls, g, theta, side, sign, lead, y0, ws, losses, tolerance)
 
 
@@ -180,13 +183,21 @@ def _or_none(series: list[arb], n: int | None) -> arb:
     return arb(0) if n is None else series[n]
 
 
-def _next_power(a: arb, inverse: arb, n: int, ws: list[arb], p: list[arb], g: Lattice) -> arb:
+def _next_power(weights: Sequence[arb], inverse: arb, n: int, ws: list[arb], p: list[arb], g: Lattice) -> arb:
     """The coefficient of s^e in w^alpha: from w E(P) = alpha E(w) P with Euler's E s^e = e s^e."""
-    total = arb(0)
-    for i, j in g.products[n]:
-        if i:
-            total += (a * g.exponents[i] - g.exponents[j]) * ws[i] * p[j]
-    return total * inverse / g.exponents[n]
+    terms = [weight * ws[i] * p[j] for weight, (i, j) in zip(weights, g.products[n][1:])]
+    return sum(terms, arb(0)) * inverse / g.exponents[n]
+
+
+Exact = tuple[Any, Any]
+
+
+@lru_cache(maxsize=64)
+def _euler(middle: Exact, radius: Exact, g: Lattice, bits: int) -> tuple[tuple[arb, ...], ...]:
+    """alpha e_i - e_j, by which ``_next_power`` weighs the products of two, i > 0: the same for all pieces."""
+    with ctx.workprec(bits):
+        alpha = arb(arb(middle), arb(radius))
+        return tuple(tuple(alpha * g.exponents[i] - g.exponents[j] for i, j in pairs[1:]) for pairs in g.products)
 
 
 def _cut(
@@ -198,8 +209,9 @@ def _cut(
     # A radius on which no term exceeds 1, in doubles; the largest share of it with G(R) < 1/2, by doubles first.
     logs = [(size_of(c), float(e.mid())) for c, e in parts if c != 0]
     widest = min([2.0, *(-size / e for size, e in logs)])
-    shares = [s for s in (widest + log2(s) for s in _SHARES) if sum(2.0 ** (size + e * s) for size, e in logs) < 0.5]
-    R = next((r for s in shares if _sum_of(parts, r := dyadic(s)) < 0.5), None)
+    shares = (widest + log2(s) for s in _SHARES)
+    inner = (s for s in shares if sum(2.0 ** (size + e * s) for size, e in logs) < 0.5)
+    R = next((r for s in inner if _sum_of(parts, r := dyadic(s)) < 0.5), None)
     if R is None:
         raise UndecidedError("the coefficients of a piece of the trial orbit are too wide")
     inside = _sum_of(parts, R)

@@ -12,10 +12,11 @@ True
 True
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
 from operator import add, mul
+from types import MappingProxyType
 from typing import Any
 
 import sympy
@@ -114,19 +115,26 @@ _CONSTANTS: dict[sympy.Expr, Callable[[], arb]] = {
 }
 
 
-def closed_form_ball(expression: sympy.Expr) -> arb:
-    """Enclose a real closed form without free symbols at the current precision; TypeError for what has no rule here."""
+def closed_form_ball(expression: sympy.Expr, places: Mapping[sympy.Symbol, arb] = MappingProxyType({})) -> arb:
+    """Enclose a real closed form at the current precision, its free symbols at places; TypeError without a rule here.
+
+    >>> x = sympy.Symbol("x")
+    >>> closed_form_ball(sympy.sqrt(x) * x, {x: arb(4)})
+    8.00000000000000
+    """
+    if expression in places:
+        return places[expression]
     if isinstance(expression, sympy.Rational):
         return arb(fmpq(int(expression.p), int(expression.q)))
     if expression in _CONSTANTS:
         return _CONSTANTS[expression]()
     if isinstance(expression, sympy.Add | sympy.Mul):
-        return reduce(add if expression.is_Add else mul, [closed_form_ball(a) for a in expression.args])
+        return reduce(add if expression.is_Add else mul, [closed_form_ball(a, places) for a in expression.args])
     if isinstance(expression, sympy.Pow):
         # An integer exponent stays one: the power of a ball by a ball
         # goes through the logarithm, which a negative base lacks.
-        base, exponent = (closed_form_ball(a) for a in expression.args)
+        base, exponent = (closed_form_ball(a, places) for a in expression.args)
         return base ** (int(expression.exp) if expression.exp.is_Integer else exponent)
     if type(expression) in _FUNCTIONS:
-        return _FUNCTIONS[type(expression)](*[closed_form_ball(a) for a in expression.args])
+        return _FUNCTIONS[type(expression)](*[closed_form_ball(a, places) for a in expression.args])
     raise TypeError(f"no enclosure rule for {expression!r}")

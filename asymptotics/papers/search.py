@@ -89,12 +89,12 @@ class Searched:
         if own.startswith(f"{word}.") or own == f"claim.{word}":
             return 60
         lead = 6 if self.formula.startswith(word) else 0
-        whole = rf"(?<![\w/]){re.escape(word)}(?![\w/])"
-        if re.search(whole, self.title) or word in self.plain_words.split():
+        whole, titled, in_formula = rf"(?<![\w/]){re.escape(word)}(?![\w/])", word in self.title, word in self.formula
+        if titled and re.search(whole, self.title) or word in self.plain_words.split():
             return 8 + lead
-        if re.search(whole, self.formula):
+        if in_formula and re.search(whole, self.formula):
             return 4 + lead
-        return 5 if word in self.title else 2 if word in self.formula else 1 if word in f"{self.notes} {own}" else 0
+        return 5 if titled else 2 if in_formula else 1 if word in self.notes or word in own else 0
 
 
 def ranked(entries: Iterable[Searched], query: str) -> list[str]:

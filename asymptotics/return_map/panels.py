@@ -35,6 +35,7 @@ from asymptotics.return_map.coordinate import Coordinate
 from asymptotics.return_map.course import Course
 from asymptotics.return_map.half_swing_map import INTEGRATED, ROUTE, HalfSwingBalls, integrated
 from asymptotics.return_map.panel_plan import (
+    MANY,
     Ellipse,
     PanelPlan,
     at_log,
@@ -177,7 +178,8 @@ class ReturnMap:
     def _from_zero(self, z: arb, remaining: int) -> PanelPlan | None:
         """The interval that holds z, if the half-swings that it would have served and will serve repay it."""
         place, c = float(z.upper()), self.coordinate
-        plan, beyond = from_zero(c, place, self.bits, quartered=self.quartered, again=bool(self.made)), 0.0
+        long = bool(self.made) or remaining >= MANY  # of one strength that is asked much others will be asked too
+        plan, beyond = from_zero(c, place, self.bits, quartered=self.quartered, long=long), 0.0
         if plan is None:
             plan = farthest(c, self.bits, quartered=self.quartered)
             beyond = 0.5 * places_of(c, quartered=self.quartered)

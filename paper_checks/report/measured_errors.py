@@ -5,7 +5,7 @@ min(1/kappa, 0.8/((1-alpha) kappa)), short of the fictitious extinction).  On th
 like kappa^N: the first neglected term of the slow equations, of relative order kappa^(N+1), acts for 1/kappa, and
 the first neglected term of the waveform is of order kappa^N.  All of this is measured, nothing is proved.
 
->>> first, second = measured_errors(["2"], (1, 2), kappas=(Fraction(1, 5), Fraction(1, 10)), points=8)
+>>> first, second = measured_errors(["2"], (1, 2), kappas=(Fraction(1, 5), Fraction(1, 10)), points=4)
 >>> 0.6 < first.fitted_order < 1.4, second.fitted_order > 1.9
 (True, True)
 """

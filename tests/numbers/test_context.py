@@ -172,14 +172,14 @@ def test_children_forked_beside_computing_threads_compute(racing):
         thread.start()
     try:
         children = []
-        for _ in range(20):
+        for _ in range(8):
             pid = os.fork()
             if not pid:
                 with suppress(BaseException), budget(10):
                     os._exit(0 if asy.moment(2).value[:3] == "0.5" else 1)
                 os._exit(2)
             children.append(pid)
-        assert [os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) for pid in children] == [0] * 20
+        assert [os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) for pid in children] == [0] * 8
     finally:
         over.set()
         for thread in threads:

@@ -4,7 +4,7 @@ import ast
 from collections.abc import Iterator
 from pathlib import Path
 
-from tests.sources import nodes
+from tests.sources import below, nodes, walk
 
 ROOT = Path(__file__).parents[2]
 OTHERS = {
@@ -27,20 +27,21 @@ OTHERS = {
 
 def changes(function: ast.FunctionDef) -> bool:
     """Whether a loop works at a precision that it sets, or doubles bits or digits, or a function calls itself there."""
-    loops = [n for n in ast.walk(function) if isinstance(n, ast.While | ast.For)]
+    loops = [n for n in below(function) if isinstance(n, ast.While | ast.For)]
     for loop in loops:
-        stores = [n for n in ast.walk(loop) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)]
+        own = walk(loop)
+        stores = [n for n in own if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)]
         inside = {n.id for n in stores}
-        for n in ast.walk(loop):
+        for n in own:
             if isinstance(n, ast.AugAssign) and isinstance(n.target, ast.Name) and n.target.id in ("bits", "digits"):
                 return True
             if is_precision(n) and {x.id for x in ast.walk(n) if isinstance(x, ast.Name)} & inside:
                 return True
-    withs = [n for n in ast.walk(function) if isinstance(n, ast.With)]
+    withs = [n for n in below(function) if isinstance(n, ast.With)]
     deeper = [n for n in withs if any(is_precision(x.context_expr) for x in n.items)]
     calls = [c.func for n in deeper for c in ast.walk(n) if isinstance(c, ast.Call)]
-    own = [getattr(f, "id", getattr(f, "attr", "")) for f in calls if isinstance(f, ast.Name) or is_self(f)]
-    return function.name in own
+    called = [getattr(f, "id", getattr(f, "attr", "")) for f in calls if isinstance(f, ast.Name) or is_self(f)]
+    return function.name in called
 
 
 def is_precision(node: ast.AST) -> bool:
@@ -54,7 +55,7 @@ def is_self(f: ast.AST) -> bool:
 def found() -> Iterator[str]:
     for path in sorted((ROOT / "asymptotics").rglob("*.py")):
         for node in (n for n in nodes(path) if isinstance(n, ast.FunctionDef) and changes(n)):
-            inner = [n for n in ast.walk(node) if isinstance(n, ast.FunctionDef) and n is not node]
+            inner = [n for n in below(node) if isinstance(n, ast.FunctionDef) and n is not node]
             if not any(changes(n) for n in inner):
                 yield f"{path.relative_to(ROOT / 'asymptotics')}::{node.name}"
 

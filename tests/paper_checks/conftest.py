@@ -16,7 +16,7 @@ import pytest
 from asymptotics.present.figures import renderings
 from paper_checks.lelas2024.figures import FIGURES
 from paper_checks.registry import Entry, expected_outcomes, load
-from paper_checks.report import build, certificates, engine, validity_map, write_report
+from paper_checks.report import build, certificates, engine, regimes, validity_map, write_report
 from paper_checks.report.measured_errors import KAPPAS, measured_errors
 
 sys.path.insert(0, str(Path(__file__).parent))  # the module beside this one
@@ -44,6 +44,7 @@ def few_laws():
         patch.setattr(validity_map, "ALPHAS", ("2",))
         patch.setattr(validity_map, "ORDERS", (1,))
         patch.setattr(validity_map, "TAU_MAX", 15.0)
+        patch.setattr(regimes, "CASES", regimes.CASES[1::2])  # one on each side of linear damping
         patch.setattr(engine, "measured_errors", partial(measured_errors, kappas=KAPPAS[:2]))
         first = cache(partial(renderings, dpi=40))
         patch.setattr(build, "renderings", lambda draw, kinds: first(FIGURES["fig1a"][1], kinds))

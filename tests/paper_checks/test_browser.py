@@ -34,9 +34,9 @@ def drawing(request, tmp_path_factory):
     """Every browser that is installed draws the formulas."""
     if missing(request.param):
         pytest.skip(f"not installed: {', '.join(missing(request.param))}")
-    drawer = start(request.param, tmp_path_factory.mktemp(request.param))
-    yield drawer
-    drawer.quit()
+    if request.param == "chromium":
+        return request.getfixturevalue("browser")
+    return start(request.param, tmp_path_factory.mktemp(request.param))
 
 
 def widest(report, folder):

@@ -13,7 +13,7 @@ from derivations.__main__ import names
 def test_every_derivation_is_listed_once_with_its_title():
     assert sorted(d.name for d in derivations()) == names()
     assert [d for found in grouped().values() for d in found] == list(derivations())
-    for name in ("smith-closed-sum", "lelas-friction", "no-overdamping"):
+    for name in ("smith-integrating-factor", "lelas-line-end", "no-overdamping"):
         own = import_module("derivations." + name.replace("-", "_")).derivation
         (record,) = (d for d in derivations() if d.name == name)
         assert (record.title, record.source) == (own.title, own.source)

@@ -80,7 +80,7 @@ def test_a_panel_from_zero_holds_the_place_and_is_one_of_a_row():
     places = panel_plan.places_of(c, quartered=True)
     first = [from_zero(c, z, 80, quartered=True) for z in (1e-6, 0.1)]
     assert first[0] == first[1] and 0.1 < first[0].last < 0.3 * places
-    plans = [from_zero(c, z, 80, quartered=True, again=True) for z in (1e-6, 0.1, 0.45 * places, 0.55 * places)]
+    plans = [from_zero(c, z, 80, quartered=True, long=True) for z in (1e-6, 0.1, 0.45 * places, 0.55 * places)]
     assert plans[:2] == [plans[2]] * 2 and plans[2].last == 0.5 * places and plans[3] is None
     assert farthest(c, 80, quartered=True).last == 0.9 * places
     dear = [from_zero(c, z, 1000, quartered=True) for z in (1e-6, 0.1, 0.4 * places)]

@@ -173,6 +173,18 @@ def test_a_map_is_made_when_what_it_missed_repays_it():
     assert served(made, 60, [0.5], 1)[0] is not None and len(made.map.made) == 1
 
 
+@pytest.mark.parametrize(("count", "held"), [(1000, True), (40, False)])
+def test_who_asks_much_pays_for_stronger_laws_to_come(count, held):
+    """The panel of a first strength holds one 1.3 times as large as it must, but not where few half-swings are asked for."""
+    made = Panels.alone(Law({"9/7": "1/10"}), 60)
+    short, long = (from_zero(made.map.coordinate, 0.1, made.map.bits, quartered=True, long=long) for long in (0, 1))
+    with ctx.workprec(60):
+        assert made.half_swing(arb(1), arb(0), count) is not None
+    assert 0.1 < 1.3 * short.last < long.last
+    (panel,) = made.map.made
+    assert panel.holds(arb(short.last)) and panel.holds(arb(1.3 * short.last)) is held
+
+
 def test_a_map_is_bounded():
     made = Panels.alone(Law({0: "1/900", 2: "1/100"}), 30).map
     assert made.made.maxlen == panels._PANELS and map_of.cache_info().maxsize == panels._MAPS

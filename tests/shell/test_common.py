@@ -115,6 +115,7 @@ assert codes == [0] * 3 and not [name for name in sys.modules if name.startswith
 from asymptotics.shell.asked import command_of
 for name in QUESTIONS:
     command_of(name)
+assert {"scipy.special", "scipy.stats"} & {*sys.modules} == {"scipy.special"}  # the other takes half a second
 sys.exit(main(["turning-points", *"--alpha 2 --epsilon 1 --count 2 --plot".split(), sys.argv[1]]))
 """
 

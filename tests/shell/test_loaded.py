@@ -37,7 +37,7 @@ def test_digits_need_none_of_them(tmp_path):
         "expand --alpha 1/2 --spring 3 --gauge no-first-harmonic --order 3",
         "expand --alpha 3/2 --damping 1/10 --mass 2 --stiffness 3",
         "half-swing --alpha 3/2 --latex",
-        "stokes --alpha 2",
+        "stokes --alpha 2 --digits 8",
         "half-swing --law 1 --law 3/2 --order 3 --json",
     )
     assert {line: found for line, found in zip(lines, loaded(*lines), strict=True) if found} == {}

@@ -32,7 +32,10 @@ TABLE_1 = [("0", "1.00000"), ("0.0987650", "-0.410720"), ("0.123863", "0.263568"
            ("0.138780", "0.154318"), ("0.141588", "-0.127908")]  # fmt: skip
 SCHEMA = json.loads((Path(asymptotics.tables.__file__).parent / "schema.json").read_text())
 SLOW = {"turning-points", "half-periods", "normal-form", "half-swing", "error-bounds"}
-FEWER = {"error-bounds": Inputs.of(alphas=["2"]), "stokes.constants": Inputs.of(alphas=["2"])}
+FEWER = {
+    **dict.fromkeys(("error-bounds", "half-periods", "stokes.constants"), Inputs.of(alphas=["2"])),
+    "turning-points": Inputs.of(alphas=["1/2", "2"]),
+}
 CHEAP = [name for name in names() if name not in SLOW]
 
 

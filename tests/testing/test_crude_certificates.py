@@ -59,7 +59,7 @@ def what_the_old_condition_asked(content):
 @pytest.mark.parametrize("seed", range(4))
 def test_what_is_accepted_of_a_motion_far_off_is_true(seed):
     rng, accepted, newly = random.Random(seed), 0, 0
-    for _ in range(30 if seed == 3 else 60):
+    for _ in range(18 if seed == 3 else 60):
         content = crude(rng)
         if content is None:
             continue

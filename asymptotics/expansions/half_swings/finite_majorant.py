@@ -129,11 +129,11 @@ def widest(alphas: Sequence[arb], direction: Sequence[arb], *, whole: bool = Fal
 def _seems_to_exist(alphas: Sequence[arb], radii: Sequence[float], whole: bool, pieces: int = 128) -> bool:
     """Whether the fixed points of all pieces exist in floats: where to look, no claim."""
     with ctx.workprec(BITS):
-        steps = _extremes(tuple((arb(a).mid().man_exp(), arb(a).rad().man_exp()) for a in alphas), pieces)
+        steps = _extremes_in_doubles(tuple((arb(a).mid().man_exp(), arb(a).rad().man_exp()) for a in alphas), pieces)
     # Half the pieces of the proof: larger maxima, so that what seems to exist here mostly does.
     slopes, growth, h = [abs(float(a) - 1) for a in alphas], 0.0, pi / (2 * pieces)
     for sines, products in [*steps, *reversed(steps)] if whole else steps:
-        growth = _fixed_point(growth, h, list(zip(radii, slopes, map(float, sines), map(float, products), strict=True)))
+        growth = _fixed_point(growth, h, list(zip(radii, slopes, sines, products, strict=True)))
         if growth == inf:
             return False
     return True
@@ -186,24 +186,31 @@ class _Step:
 
 
 def _fixed_point(start: float, h: float, rows: Sequence[tuple[float, ...]]) -> float:
-    """The fixed point of g = G_j + h N*(g)/(1 - C*(g)) in floats; rows (rho, slope, s^(alpha+1), s^alpha |c|)."""
-    g, previous = start, -1.0
-    # Near the end of the disc the iteration hardly converges:
-    # 200 steps, or none is seen, which costs a bit of the disc.
+    """The fixed point of g = G_j + h N*(g)/(1 - C*(g)) in floats; rows (rho, slope, s^(alpha+1), s^alpha |c|).
+
+    By Newton's method from G_j: the right side grows and is convex, so that no step goes beyond the fixed point, and
+    there is none where the slope has reached 1.
+    """
+    g, steepest = start, max(row[1] for row in rows)
     for _ in range(200):
-        if g - previous <= 1e-14 * (1 + g):
-            return g
-        # e^700 is the end of the doubles.
-        if any(row[1] * g > 700 for row in rows):
+        # e^700 is the end of the doubles; r would have grown by e^50: no bound of use is found there.
+        if g > 50 or steepest * g > 700:
             return inf
-        strengths = [row[0] * exp(row[1] * g) for row in rows]
-        room = 1 - sum(v * row[3] for v, row in zip(strengths, rows, strict=True))
+        N = N_slope = C_slope = 0.0
+        room = 1.0
+        for rho, slope, sine, product in rows:
+            v = rho * exp(slope * g)
+            N, room = N + v * sine, room - v * product
+            N_slope, C_slope = N_slope + slope * v * sine, C_slope + slope * v * product
         if room <= 0:
             return inf
-        previous, g = g, start + h * sum(v * row[2] for v, row in zip(strengths, rows, strict=True)) / room
-        # r would have grown by e^50: no bound of use is found there.
-        if g > 50:
+        rise = h * (N_slope + N * C_slope / room) / room
+        if rise >= 1:
             return inf
+        step = (start + h * N / room - g) / (1 - rise)
+        g += step
+        if step <= 1e-14 * (1 + g):
+            return g
     return inf
 
 
@@ -221,3 +228,11 @@ def _extremes(alphas: tuple[tuple[Any, Any], ...], pieces: int) -> tuple[tuple[t
             powers = [s**a for a in exponents]
             found.append((tuple((p * s).upper() for p in powers), tuple((p * c).upper() for p in powers)))
         return tuple(found)
+
+
+@lru_cache(maxsize=64)
+def _extremes_in_doubles(
+    alphas: tuple[tuple[Any, Any], ...], pieces: int
+) -> tuple[tuple[tuple[float, ...], tuple[float, ...]], ...]:
+    """The same in floats, for where to look."""
+    return tuple((tuple(map(float, s)), tuple(map(float, c))) for s, c in _extremes(alphas, pieces))
