@@ -138,8 +138,15 @@ def _units(local: Oscillator) -> tuple[arb, arb, arb]:
 
 
 def _first(local: Oscillator, digits: int) -> Measure:
+    made: dict[int, ConservativeCycle] = {}  # one at each precision, for all numbers
+
+    def cycle() -> ConservativeCycle:
+        if ctx.prec not in made:
+            made[ctx.prec] = cycle_of(local)
+        return made[ctx.prec]
+
     def number(value: Callable[[ConservativeCycle], arb]) -> str:
-        return certified_decimal(lambda: value(cycle_of(local)), digits)
+        return certified_decimal(lambda: value(cycle()), digits)
 
     half = _half_life(local, digits)
     return Measure(

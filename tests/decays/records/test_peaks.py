@@ -116,7 +116,7 @@ def test_maxima_before_the_minima_are_sorted_by_time():
 
 def test_a_voltage_that_falls_into_its_noise_is_an_envelope_until_there(tmp_path):
     """Its frequency says that it shows no swing; a few values below 0 made it a motion, which was refused as none."""
-    t = np.arange(0, 30, 0.1)
+    t = np.arange(0, 30, 0.2)
     volts = 3.1 * np.exp(-t / 4.2) + 0.004 * np.random.default_rng(3).standard_normal(len(t))
     assert (volts < 0).any()
     path = tmp_path / "ringdown.txt"

@@ -50,12 +50,12 @@ def test_releases_are_no_beats(sizes, phases, rate):
 
 def test_holds_drives_chirps_and_growth_are_no_beats():
     assert near_modes(*released_twice()) is None
-    t = np.arange(0, 200, 0.1)
+    t = np.arange(0, 200, 0.15)
     for omega in (1.0, 1.02, 1.05):  # driven for 80, then let go
         free = (1 - np.exp(-4)) * np.exp(-0.02 * (t - 80)) * np.cos(t + 80 * (omega - 1))
         assert near_modes(t, np.where(t < 80, (1 - np.exp(-0.05 * t)) * np.cos(omega * t), free)) is None
     size = 2.8 * np.exp(-0.03 * t)  # a deep pendulum
-    assert near_modes(t, size * np.cos(np.cumsum(1 - size**2 / 16 - size**4 / 3072) * 0.1)) is None
+    assert near_modes(t, size * np.cos(np.cumsum(1 - size**2 / 16 - size**4 / 3072) * 0.15)) is None
     assert near_modes(t, np.exp(0.03 * t) * np.cos(5 * t)) is None
     few = np.sort(np.random.default_rng(1).uniform(0, 200, 900))
     assert near_modes(few, np.cos(few) + np.cos(1.06 * few)) is None  # uneven: no windows
@@ -72,7 +72,7 @@ def test_dry_friction_that_ends_in_noise_is_no_beat(memory):
     t, dry = np.arange(0.1, 160, 0.15), 0.014
     n = np.minimum(np.floor(t / np.pi), 35)  # then it rests, within the friction
     size = (1 - (2 * n + 1) * dry) * np.where(n < 35, np.cos(t), 0)
-    for seed in range(12):
+    for seed in range(5):
         x = size + (-1) ** n * dry * (n < 35) + 0.02 * remembering(len(t), memory, seed)
         assert near_modes(t, x) is None
 

@@ -98,7 +98,7 @@ def test_beside_a_spring_the_ratio_and_the_half_life_are_the_certified_ones(alph
 
 
 def test_the_envelope_tells_times_in_the_unit_of_the_file(tmp_path):
-    t = np.arange(0, 40, 0.1)
+    t = np.arange(0, 25, 0.1)
     x = np.exp(-0.05 * t) * np.cos(2 * t) + 1e-4 * np.random.default_rng(0).standard_normal(len(t))
     found = {}
     for unit, size in (("s", 1.0), ("ms", 1e3), ("min", 1 / 60)):
