@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from flint import arb
 
-from asymptotics.driven import contraction, first_order, guess, linear, trial
+from asymptotics.driven import contraction, expansion, first_order, guess, linear, trial
 from asymptotics.driven.drive import Balls, Drive
 from asymptotics.driven.expansion import Arc, grid, piece
 from asymptotics.driven.orbit import Orbit, orbit
@@ -33,6 +33,15 @@ def test_the_rest_of_a_harmonic_is_that_of_the_wave():
             found = getattr(one.harmonic(1), part)
         with ctx.workprec(200):
             assert found.contains(h.sin() if part == "real" else h.cos() - 1)
+
+
+def test_the_weights_of_an_uncertain_exponent_hold_those_of_both_ends():
+    alpha, powers = arb(1.5, 0.125), grid((), 3, 40)
+    kept = expansion._euler(alpha.mid().man_exp(), alpha.rad().man_exp(), powers, 40)
+    for end in (arb(1.375), arb(1.625)):
+        for n in range(1, 4):
+            weights = [i * end - j for i, j in powers.products[n] if i]
+            assert len(weights) == len(kept[n]) == n and all(map(arb.contains, kept[n], weights))
 
 
 def test_growth_is_that_of_the_speed(quadratic):

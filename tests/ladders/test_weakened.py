@@ -30,6 +30,8 @@ OWN = {
     "bounds.uniform._UniformTheorem._start": "tests/bounds/test_uniform.py::test_each_part_of_the_bound_counts",
     "bounds.waveform._between": "tests/bounds/test_waveform.py::test_the_pieces_are_hulls_of_their_functions",
     "bounds.waveform._hulls": "tests/bounds/test_waveform.py::test_the_pieces_are_hulls_of_their_functions",
+    "driven.expansion._euler": "tests/driven/test_bounds.py"
+    "::test_the_weights_of_an_uncertain_exponent_hold_those_of_both_ends",
     "expansions.divergence.abel.later": "tests/expansions/divergence/test_abel.py"
     "::test_what_an_orbit_leaves_out_is_bounded",
     "expansions.divergence.constants._solved": "tests/expansions/divergence/test_constants.py"
@@ -94,6 +96,7 @@ contained at few bits or the parts are evaluated again."""
 
 NO_BOUND = {
     "bounds.local._sharp": "asks whether radii are small enough",
+    "driven.expansion.piece": "balls as a key of a cache",
     "expansions.half_swings.finite_majorant._seems_to_exist": "balls as a key of a cache; the answer is in floats",
     "expansions.half_swings.nodes._lost": "how wide the balls are; wider than wanted, they are made again",
     "decays.identification.certified_sets.set_valued._searched": "boxes of doubles, searched; table_rows claims",

@@ -175,7 +175,7 @@ def test_a_map_is_made_when_what_it_missed_repays_it():
 
 @pytest.mark.parametrize(("count", "held"), [(1000, True), (40, False)])
 def test_who_asks_much_pays_for_stronger_laws_to_come(count, held):
-    """The panel of a first strength holds one 1.3 times as large as it must, but not where few half-swings are asked for."""
+    """The panel of a first strength holds one 1.3 times as large as it must, but not where little is asked for."""
     made = Panels.alone(Law({"9/7": "1/10"}), 60)
     short, long = (from_zero(made.map.coordinate, 0.1, made.map.bits, quartered=True, long=long) for long in (0, 1))
     with ctx.workprec(60):
