@@ -15,7 +15,7 @@ Derivation ``driven-unique``.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from math import inf, log2
@@ -43,7 +43,6 @@ class Lattice:
     products: tuple[tuple[tuple[int, int], ...], ...]
     less_two: tuple[int | None, ...]
     less: tuple[tuple[int | None, ...], ...]
-    weights: dict[Any, tuple[tuple[arb, ...], ...]] = field(default_factory=dict)
 
 
 Key = tuple[Fraction, ...]
@@ -163,7 +162,7 @@ def piece(balls: Balls, g: Lattice, theta: arb, side: int, sign: int, y0: arb, w
         raise UndecidedError("a piece of the trial orbit does not move on")
     ws, ys, inverse = [first], [y0], 1 / first
     powers = [[first**a] for _, a in losses]
-    weights = [_euler(a, g) for _, a in losses]
+    weights = [_euler(a.mid().man_exp(), a.rad().man_exp(), g, ctx.prec) for _, a in losses]
     for n in range(1, len(g.exponents)):
         # At rest the equation at s^e gives (1 + e) u_e, in motion that at s^(n-1) gives n w_n.
         if lead:
@@ -190,16 +189,15 @@ def _next_power(weights: Sequence[arb], inverse: arb, n: int, ws: list[arb], p: 
     return sum(terms, arb(0)) * inverse / g.exponents[n]
 
 
-def _euler(alpha: arb, g: Lattice) -> tuple[tuple[arb, ...], ...]:
+Exact = tuple[Any, Any]
+
+
+@lru_cache(maxsize=64)
+def _euler(middle: Exact, radius: Exact, g: Lattice, bits: int) -> tuple[tuple[arb, ...], ...]:
     """alpha e_i - e_j, by which ``_next_power`` weighs the products of two, i > 0: the same for all pieces."""
-    key = alpha.mid().man_exp(), alpha.rad().man_exp(), ctx.prec
-    if key not in g.weights:
-        if len(g.weights) >= 8:  # a lattice of powers alone serves every exponent
-            g.weights.clear()
-        g.weights[key] = tuple(
-            tuple(alpha * g.exponents[i] - g.exponents[j] for i, j in pairs[1:]) for pairs in g.products
-        )
-    return g.weights[key]
+    with ctx.workprec(bits):
+        alpha = arb(arb(middle), arb(radius))
+        return tuple(tuple(alpha * g.exponents[i] - g.exponents[j] for i, j in pairs[1:]) for pairs in g.products)
 
 
 def _cut(

@@ -99,7 +99,6 @@ NO_BOUND = {
     "driven.expansion.piece": "balls as a key of a cache",
     "expansions.half_swings.finite_majorant._seems_to_exist": "balls as a key of a cache; the answer is in floats",
     "expansions.half_swings.nodes._lost": "how wide the balls are; wider than wanted, they are made again",
-    "driven.expansion._euler": "balls as a key of a cache",
     "decays.identification.certified_sets.set_valued._searched": "boxes of doubles, searched; table_rows claims",
     "motions.formal_forces.FormalForces.__init__": "a union of sets",
     "motions.reference._within": "asks whether a radius is small enough",
