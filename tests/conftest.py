@@ -38,7 +38,7 @@ FIRST = (  # what imports derivations, each of which is proved once in a process
 WALKS = (  # over the syntax trees of all sources, which a process parses once
     "tests/test_structure", "tests/test_safety", "tests/test_iterations", "tests/test_reached",
     "tests/test_chosen_in_doubles", "tests/numbers/test_context", "tests/numbers/test_one_loop",
-    "tests/paper_checks/test_three_valued",
+    "tests/paper_checks/test_three_valued", "tests/ladders/",
 )  # fmt: skip
 
 

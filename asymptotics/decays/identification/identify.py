@@ -15,7 +15,7 @@ from numbers import Real
 from typing import Any
 
 import numpy as np
-from threadpoolctl import ThreadpoolController
+from threadpoolctl import threadpool_limits
 
 from asymptotics.decays.identification.fitting.correlation import block_length
 from asymptotics.decays.identification.fitting.model import Noise
@@ -50,7 +50,6 @@ from asymptotics.decays.identification.textbook import textbook_estimates
 from asymptotics.decays.records.sources import How
 from asymptotics.decays.records.units import GRAVITY, UNITS
 from asymptotics.errors import InputError, shown
-from asymptotics.numbers.context import cache
 from asymptotics.numbers.quantities import ANGLES
 from asymptotics.present.counts import many
 from asymptotics.running.budget import tick
@@ -62,16 +61,10 @@ MAX_RUNS = 50
 """Each run has the work of a verdict, and its share of the time: of ten minutes 12 seconds for each of fifty."""
 
 
-@cache
-def _libraries() -> ThreadpoolController:
-    """Those of the process, NumPy's and SciPy's, which it takes a millisecond to find."""
-    return ThreadpoolController()
-
-
 @contextmanager
 def _one_thread() -> Iterator[None]:
     """Matrices of a thousand rows: a second thread waits longer than it computes, and would add in another order."""
-    with _libraries().limit(limits=1, user_api="blas"):
+    with threadpool_limits(1, user_api="blas"):
         yield
 
 
