@@ -36,7 +36,7 @@ WITNESSES = 1
 DEAR, LONE = 0.1, 0.5
 """Seconds of the processor, under coverage: below the first nothing moves, below the second no function whole."""
 CONTENT = ("tests/derivations/", "tests/paper_checks/test_every_statement")
-ALARMED = {"tests/test_public_time.py", "tests/test_budget.py", "tests/test_time_limits.py"}
+ALARMED = {f"tests/{name}.py" for name in ("test_public_time", "test_budget", "test_time_limits", "shell/test_papers")}
 SOURCES = "asymptotics,derivations,paper_checks"
 
 
