@@ -92,10 +92,10 @@ def pytest_collection_modifyitems(config, items):
     """The first tests before all others; a slow one has a longer limit, and its share (``SHARE``, the week).
 
     ``thorough.txt`` names dear cases, for ``make test-thorough``: found redundant by ``benchmarks.suite_costs``, but
-    for those that count coverage or compare two routes, or chosen from the durations of a run.  The rule there: what takes
-    some hundredths of a second or more of an idle core goes there if two cheaper cases of the same test, or a cheaper
-    test of the same claim, stay in ``make test``, but for the walks over all questions, statements and derivations; of a
-    test that a list of weakened bounds names, a case stays that notices (``test_time_limits.py``).
+    for those that count coverage or compare two routes, or chosen from the durations of a run. The rule there: what
+    takes some hundredths of a second or more of an idle core goes there if two cheaper cases of the same test, or a
+    cheaper test of the same claim, stay in ``make test``, but for the walks over all questions, statements and
+    derivations; of a test that a list of weakened bounds names, a case stays that notices (``test_time_limits.py``).
     """
     config.stash[COLLECTED] = {item.nodeid for item in items}
     thorough = {*Path(__file__).with_name("thorough.txt").read_text().splitlines()}
