@@ -103,6 +103,11 @@ def _integrated(integral: sympy.Integral) -> sympy.Expr:
     pi**2/4
     >>> [_integrated(sympy.Integral(1 / x**2, (x, low, 3))) for low in (2, 0, -1)]
     [1/6, Integral(x**(-2), (x, 0, 3)), Integral(x**(-2), (x, -1, 3))]
+    >>> F = sympy.Function("F")
+    >>> _integrated(sympy.Integral(F(2 * x).diff(x, evaluate=False), (x, 1, 3)))
+    -F(2) + F(6)
+    >>> _integrated(sympy.Integral(F(x).diff(x, 2), (x, 1, 3)))
+    Integral(Derivative(F(x), (x, 2)), (x, 1, 3))
     >>> _integrated(sympy.Integral(sympy.exp(x**2), (x, 0, 1)))
     Integral(exp(x**2), (x, 0, 1))
     >>> _integrated(sympy.Integral(1 / (x + sympy.sin(x)), (x, 1, 2)))

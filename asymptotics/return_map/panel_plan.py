@@ -52,7 +52,8 @@ _INSIDE = 0.8  # of the reach of the quarter-swings, so that there is room for a
 _CHEAP, _DEARER = {True: (6, 22), False: (20, 50)}, 1.1
 MANY = 200
 """Half-swings beside which the longer one costs little: 1,000 points of a first law of exponent 3/2 to 5/2 take 1.3 to
-1.9 times as long, and those of a law up to five times as strong a quarter of what they take with a second panel."""
+1.9 times as long, and those of one up to three times as strong a quarter to a third of what a second panel makes of it.
+"""
 _DOWN = tuple(
     k * log(2) for k in (0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768)
 )

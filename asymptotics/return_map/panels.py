@@ -178,7 +178,7 @@ class ReturnMap:
     def _from_zero(self, z: arb, remaining: int) -> PanelPlan | None:
         """The interval that holds z, if the half-swings that it would have served and will serve repay it."""
         place, c = float(z.upper()), self.coordinate
-        long = bool(self.made) or remaining >= MANY  # of one strength that is asked much others will be asked too
+        long = bool(self.made) or remaining >= MANY  # a choice: who asks for so much may ask for other strengths too
         plan, beyond = from_zero(c, place, self.bits, quartered=self.quartered, long=long), 0.0
         if plan is None:
             plan = farthest(c, self.bits, quartered=self.quartered)

@@ -22,10 +22,7 @@ last one among them, and had 2e-8 there, for which an exact half-swing is no lon
 
 def test_the_held_point_is_left_out_and_the_law_is_found():
     """It was a fault of the program (exit code 70), by the exponent that was nearly that of dry friction."""
-    answer = asy.identify(
-        {"n": np.arange(16), "x": np.array(HELD)}, laws=["0", "1", "3", "0+1", "0+3", "free"],
-        unit="m", kind="turning-points",
-    )  # fmt: skip
+    answer = asy.identify({"n": np.arange(16), "x": np.array(HELD)}, unit="m", kind="turning-points")
     assert str(answer.best.law.candidate) == "0+3" and answer.best.law.verdict == "consistent"
     assert any("at rest" in note for note in answer.notes)
 

@@ -84,7 +84,7 @@ def test_refuted_means_fitted_or_contained_in_a_law_that_is():
 
 def test_friction_that_holds_the_mass_off_centre_is_found():
     t, x = stuck()
-    answer = asy.identify({"t": t, "x": x}, laws=["0", "1", "0+1"])
+    answer = asy.identify({"t": t, "x": x}, laws=["0", "1", "0+1", "2"])
     assert answer.verdict.text.startswith("identified: 0,")
     assert answer.law("0").law.epsilon[0].contains(0.044)
     assert any("are not used" in note for note in answer.notes)

@@ -124,7 +124,7 @@ def swings(t: Array, x: Array, derivative: int = 0) -> tuple[DampedCosine, float
 
 def _line(t: Array, x: Array, derivative: int) -> DampedCosine | None:
     """The damped cosine through all samples: what decides about a short record is told of it again."""
-    return _kept_line(t.tobytes(), x.tobytes(), derivative)
+    return _kept_line(np.asarray(t, dtype=float).tobytes(), np.asarray(x, dtype=float).tobytes(), derivative)
 
 
 @lru_cache(maxsize=8)

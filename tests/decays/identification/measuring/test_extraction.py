@@ -64,7 +64,7 @@ def test_missing_samples_a_push_and_a_noisy_tail_are_discarded_and_said():
 
 def test_a_record_identifies_its_law_and_agrees_with_its_turning_points():
     t, x = sampled(noise=1e-3)
-    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "0+1"])
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "0+1", "free"])
     assert answer.verdict.text.startswith("identified: 1")
     assert answer.law("1").law.epsilon[0].contains(EPSILON)
     assert answer.units.omega_0 == pytest.approx(OMEGA, rel=1e-4)
@@ -118,7 +118,7 @@ def two_losses():
 def test_few_samples_a_period_are_enough(samples):
     t = np.arange(0, 120, 2 * np.pi / SPEED / samples)
     x = motion(t) + 1e-3 * np.random.default_rng(samples).standard_normal(len(t))
-    answer = asy.identify({"t": t, "x": x}, laws=["1", "2"])
+    answer = asy.identify({"t": t, "x": x}, laws=["1", "2", "1+2"])
     assert answer.verdict.text.startswith("identified: 1,")
     assert answer.law("1").law.epsilon[0].contains(EPSILON)
     assert len(answer.runs[0].n) > 90
